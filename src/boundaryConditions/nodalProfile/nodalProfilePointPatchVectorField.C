@@ -1,0 +1,158 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "nodalProfilePointPatchVectorField.H"
+#include "addToRunTimeSelectionTable.H"
+#include "fullPrecision.H"
+#include "Time.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    makePointPatchTypeField
+    (
+        pointPatchVectorField,
+        nodalProfilePointPatchVectorField
+    );
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::nodalProfilePointPatchVectorField::checkExponents
+(
+    const dictionary& dict
+) const
+{
+    for (const auto& term : terms_)
+    {
+        const vector& n = term.second();
+        for (direction a = 0; a < vector::nComponents; ++a)
+        {
+            if (n[a] >= 0 && n[a] == std::floor(n[a])) continue;
+            FatalIOErrorInFunction(dict)
+                << "Term " << term << " on patch " << patch().name()
+                << " has exponents " << n << ", expected whole numbers >= 0" << nl
+                << "A term is (coefficient exponents), both vectors, as in"
+                << " ((6 0 0) (0 1 0)) for 6 y in direction x"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::nodalProfilePointPatchVectorField::setValues()
+{
+    const scalar t = db().time().timeOutputValue();
+    const pointField& x = patch().localPoints();
+    vectorField& u = *this;
+    forAll(u, i) u[i] = at(x[i], t);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::nodalProfilePointPatchVectorField::nodalProfilePointPatchVectorField
+(
+    const pointPatch& p,
+    const internal& iF
+)
+:
+    fixedValuePointPatchVectorField(p, iF),
+    origin_(Zero),
+    scale_(1)
+{}
+
+
+Foam::nodalProfilePointPatchVectorField::nodalProfilePointPatchVectorField
+(
+    const pointPatch& p,
+    const internal& iF,
+    const dictionary& dict
+)
+:
+    fixedValuePointPatchVectorField(p, iF, dict, false),
+    terms_(dict.get<List<Tuple2<vector, vector>>>("terms")),
+    origin_(dict.lookupOrDefault<point>("origin", Zero)),
+    scale_("scale", dict, 1)
+{
+    checkExponents(dict);
+    if (!dict.found("value")) setValues();
+}
+
+
+Foam::nodalProfilePointPatchVectorField::nodalProfilePointPatchVectorField
+(
+    const thisType& ptf,
+    const pointPatch& p,
+    const internal& iF,
+    const pointPatchFieldMapper& mapper
+)
+:
+    fixedValuePointPatchVectorField(ptf, p, iF, mapper),
+    terms_(ptf.terms_),
+    origin_(ptf.origin_),
+    scale_(ptf.scale_)
+{}
+
+
+Foam::nodalProfilePointPatchVectorField::nodalProfilePointPatchVectorField
+(
+    const thisType& ptf,
+    const internal& iF
+)
+:
+    fixedValuePointPatchVectorField(ptf, iF),
+    terms_(ptf.terms_),
+    origin_(ptf.origin_),
+    scale_(ptf.scale_)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::vector Foam::nodalProfilePointPatchVectorField::at
+(
+    const point& x,
+    const scalar t
+) const
+{
+    const vector X = x - origin_;
+
+    vector u = Zero;
+    for (const auto& term : terms_)
+    {
+        const vector& n = term.second();
+        u += term.first()*pow(X.x(), n.x())*pow(X.y(), n.y())*pow(X.z(), n.z());
+    }
+    return scale_(t)*u;
+}
+
+
+void Foam::nodalProfilePointPatchVectorField::updateCoeffs()
+{
+    if (updated()) return;
+
+    setValues();
+    fixedValuePointPatchVectorField::updateCoeffs();
+}
+
+
+void Foam::nodalProfilePointPatchVectorField::write(Ostream& os) const
+{
+    pointPatchVectorField::write(os);
+    {
+        const fullPrecision exact(os);
+        os.writeEntry("terms", terms_);
+        if (origin_ != point::zero) os.writeEntry("origin", origin_);
+        scale_.write(os);
+    }
+    writeEntry("value", os);
+}
+
+
+// ************************************************************************* //

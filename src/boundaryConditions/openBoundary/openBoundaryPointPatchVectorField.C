@@ -1,0 +1,58 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "openBoundaryPointPatchVectorField.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    makeTemplatePointPatchTypeField
+    (
+        pointPatchVectorField,
+        openBoundaryPointPatchVectorField
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::openBoundaryLoad::openBoundaryLoad()
+:
+    pressure_(0),
+    traction_(Zero),
+    backflow_(0.5)
+{}
+
+
+Foam::openBoundaryLoad::openBoundaryLoad(const dictionary& dict)
+:
+    pressure_("pressure", dict, 0),
+    traction_("traction", dict, Zero),
+    backflow_(dict.lookupOrDefault<scalar>("backflowStabilisation", 0.5))
+{
+    if (backflow_ < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "backflowStabilisation is " << backflow_ << ", expected >= 0:"
+            << " 0 for none, 0.5 to bound the energy that comes in"
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::openBoundaryLoad::write(Ostream& os) const
+{
+    pressure_.write(os);
+    traction_.write(os);
+    os.writeEntry("backflowStabilisation", backflow_);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,175 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solidLoads.H"
+#include "feValues.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Positions of an element's nodes in the directions of the case
+template<int dim>
+static void gatherElement
+(
+    const feMesh& fe,
+    const elementBlock& block,
+    const label e,
+    const vectorField& f,
+    Vec<double, dim>* v
+)
+{
+    for (label i = 0; i < block.nNodes; ++i) for (int a = 0; a < dim; ++a)
+    {
+        v[i][a] = f[block.element(e)[i]][fe.axis(a)];
+    }
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class F>
+void Foam::solidLoads::addTraction
+(
+    const elementBlock& block,
+    const vector& traction,
+    vectorField& force
+) const
+{
+    faceValues<double, F> face;
+    constexpr int dim = F::dim + 1;
+    Vec<double, dim> X[F::nNodes];
+
+    for (label e = 0; e < block.size(); ++e)
+    {
+        gatherElement<dim>(fe_, block, e, fe_.points(), X);
+        for (int q = 0; q < face.nQ; ++q)
+        {
+            face.reinit(X, q);
+            const scalar dA = ::sqrt(face.ndA & face.ndA);
+            for (int i = 0; i < F::nNodes; ++i)
+            {
+                force[block.element(e)[i]] -= face.N[i]*traction*dA;
+            }
+        }
+    }
+}
+
+
+template<class F>
+void Foam::solidLoads::addPressure
+(
+    const elementBlock& block,
+    const solidStage& stage,
+    const scalar pressure,
+    vectorField& force,
+    feMatrix* K
+) const
+{
+    faceValues<double, F> face;
+    constexpr int dim = F::dim + 1, nN = F::nNodes;
+    Vec<double, dim> x[nN], D[nN];
+
+    for (label e = 0; e < block.size(); ++e)
+    {
+        const label* n = block.element(e);
+        gatherElement<dim>(fe_, block, e, stage.X, x);
+        gatherElement<dim>(fe_, block, e, stage.D, D);
+        for (int i = 0; i < nN; ++i) x[i] += D[i];
+
+        for (int q = 0; q < face.nQ; ++q)
+        {
+            face.reinit(x, q);
+            for (int i = 0; i < nN; ++i) for (int a = 0; a < dim; ++a)
+            {
+                force[n[i]][fe_.axis(a)] += face.N[i]*pressure*face.ndA[a];
+            }
+            if (!K) continue;
+
+            for (int j = 0; j < nN; ++j) for (int b = 0; b < dim; ++b)
+            {
+                const Vec<double, dim> dA = (pressure*stage.dDdu)*face.dArea(q, j, b);
+                for (int i = 0; i < nN; ++i) for (int a = 0; a < dim; ++a)
+                {
+                    K->add(systemNode_[n[i]], a, systemNode_[n[j]], b, face.N[i]*dA[a]);
+                }
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solidLoads::addSurface
+(
+    const pointVectorField& pointD,
+    const solidStage& stage,
+    const scalar t,
+    vectorField& force,
+    feMatrix* K
+) const
+{
+    forAll(pointD.boundaryField(), patchi)
+    {
+        const auto* load = dynamic_cast<const surfaceLoad*>(&pointD.boundaryField()[patchi]);
+        if (!load) continue;
+
+        const vector traction = load->traction(t);
+        const scalar pressure = load->pressure(t);
+        for (const elementBlock& block : fe_.patchBlocks(patchi))
+        {
+            withFaceElement(block, [&](auto tag)
+            {
+                typedef decltype(tag) F;
+                if (F::dim + 1 != fe_.dim()) return;
+                if (traction != vector::zero) addTraction<F>(block, traction, force);
+                if (pressure != 0) addPressure<F>(block, stage, pressure, force, K);
+            });
+        }
+    }
+}
+
+
+void Foam::solidLoads::addVolume
+(
+    const density& f,
+    const scalar t,
+    vectorField& force
+) const
+{
+    for (const elementBlock& block : fe_.blocks())
+    {
+        withElement(block, [&](auto tag)
+        {
+            typedef decltype(tag) E;
+            if (E::dim != fe_.dim()) return;
+            feValues<double, E> w;
+            Vec<double, E::dim> X[E::nNodes];
+
+            for (label e = 0; e < block.size(); ++e)
+            {
+                const label* n = block.element(e);
+                gatherElement<E::dim>(fe_, block, e, fe_.points(), X);
+                for (int q = 0; q < w.nQ; ++q)
+                {
+                    w.reinit(X, q);
+                    point Xq = Zero;
+                    for (int i = 0; i < E::nNodes; ++i) Xq += w.N[i]*fe_.points()[n[i]];
+
+                    const vector fV = f(Xq, t)*w.dV;
+                    for (int i = 0; i < E::nNodes; ++i) force[n[i]] -= w.N[i]*fV;
+                }
+            }
+        });
+    }
+}
+
+
+// ************************************************************************* //

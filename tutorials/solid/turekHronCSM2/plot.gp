@@ -1,0 +1,13 @@
+# Deviation from the reference in per cent
+set terminal pngcairo size 600,400
+set output "turekHronCSM2.png"
+set style fill solid 0.6
+set boxwidth 0.76
+set ylabel "deviation from the reference [%]"
+set xzeroaxis linetype -1
+set key outside top center horizontal
+set xrange [-0.6:*]
+set offsets 0, 0.6, 0, 0
+set yrange [*:*]
+plot \
+    "< mfCompare -case . -data" using ($0 + 0):2:xtic(1) with boxes title "quadratic"
