@@ -174,6 +174,8 @@ void Foam::coupledSystem::makeBlocks()
     map_->maximum(block);
     block_.setSize(block.size());
     forAll(block, u) block_[u] = max(label(block[u]), 0);
+    elementSize_.setSize(regions_.size());
+    forAll(regions_, r) elementSize_[r] = regions_[r].fe().meanSize();
     for (scalarField* f : {&scales_, &norms_, &firstNorms_}) *f = scalarField(nBlocks, 0);
 }
 

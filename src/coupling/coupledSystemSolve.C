@@ -8,6 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "coupledSystem.H"
+#include <limits>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -44,14 +45,8 @@ void Foam::coupledSystem::follow()
         }
     }
 
-    scalar motionTime = 0;
-    for (feRegion& region : regions_)
-    {
-        motionTime -= region.motionTime();
-        region.interfaceMoved();
-        motionTime += region.motionTime();
-    }
-    times_.move(systemTimes::SOLVE, systemTimes::MESH_MOTION, motionTime);
+    systemTimes::timer timer(times_, systemTimes::MESH_MOTION);
+    for (feRegion& region : regions_) region.interfaceMoved();
 }
 
 
@@ -84,11 +79,13 @@ void Foam::coupledSystem::computeNorms(const scalarField& raw)
     Pstream::listCombineScatter(reaction);
 
     const bool first = newton_.nIterations() < 0;
+    if (first) roundOff_ = roundOff();
     forAll(norms_, b)
     {
         norms_[b] = ::sqrt(free[b]);
         if (first) firstNorms_[b] = norms_[b];
         scales_[b] = max(firstNorms_[b], ::sqrt(reaction[b]));
+        scales_[b] = max(scales_[b], roundOff_[b]/newton_.tolerance());
     }
 
     // Flux of the velocity through a face of an element of mean size
@@ -101,6 +98,24 @@ void Foam::coupledSystem::computeNorms(const scalarField& raw)
         if (scales_[b] <= 0) scales_[b] = 1;
     }
     forAll(rowScale_, u) rowScale_[u] = 1/scales_[block_[u]];
+}
+
+
+Foam::scalarField Foam::coupledSystem::roundOff() const
+{
+    scalarField stiffness(norms_.size(), 0);
+    for (const label u : map_->ownedUnknowns()) stiffness[block_[u]] += sqr(K_->diagonal(u));
+    Pstream::listCombineGather(stiffness, plusEqOp<scalar>());
+    Pstream::listCombineScatter(stiffness);
+
+    forAll(stiffness, b)
+    {
+        feRegion& region = const_cast<feRegion&>(regions_[blockRegion_[b]]);
+        const scalar size = region.interfaceMotion() ? elementSize_[blockRegion_[b]] : 0;
+        stiffness[b] = 10*std::numeric_limits<scalar>::epsilon()*size*::sqrt(stiffness[b])
+            /region.timeScheme().displacementByUnknown();
+    }
+    return stiffness;
 }
 
 

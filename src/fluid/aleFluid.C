@@ -141,10 +141,7 @@ void Foam::aleFluid::initialise()
     state_.add("meshDisplacement", mesh_D_);
     state_.store();
 
-    scalar volume = gSum(mesh_.V());
-    if (fe().dim() == 2) volume /= mesh_.bounds().span()[fe().axis(2)];
-    const label nElements = returnReduce(fe().nElements(), sumOp<label>());
-    faceArea_ = Foam::pow(volume/nElements, scalar(fe().dim() - 1)/fe().dim());
+    faceArea_ = Foam::pow(fe().meanSize(), fe().dim() - 1);
 }
 
 

@@ -15,6 +15,7 @@ Description
 #include "argList.H"
 #include "Time.H"
 #include "coupledSystem.H"
+#include "coupledInterfaceReport.H"
 
 using namespace Foam;
 
@@ -35,6 +36,7 @@ int main(int argc, char *argv[])
     #include "createTime.H"
 
     coupledSystem problem(runTime);
+    const coupledInterfaceReport interfaces(runTime, problem);
     problem.report();
     if (args.found("dry-run"))
     {

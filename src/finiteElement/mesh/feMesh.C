@@ -338,6 +338,14 @@ Foam::label Foam::feMesh::nElements() const
 }
 
 
+Foam::scalar Foam::feMesh::meanSize() const
+{
+    scalar volume = gSum(mesh_.cellVolumes());
+    if (dim_ == 2) volume /= mesh_.bounds().span()[axes_[2]];
+    return Foam::pow(volume/returnReduce(nElements(), sumOp<label>()), 1.0/dim_);
+}
+
+
 Foam::label Foam::feMesh::patchIndex
 (
     const word& name,

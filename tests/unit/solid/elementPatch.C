@@ -1,0 +1,156 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "elementPatch.H"
+#include "IFstream.H"
+#include "OSspecific.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static elementBlock makeBlock
+(
+    const elementShape shape,
+    const label order,
+    const label nMeshNodes,
+    const labelList& nodes
+)
+{
+    elementBlock block;
+    block.shape = shape;
+    block.order = order;
+    withElement(block, [&](auto E) { block.nNodes = E.nNodes; });
+    block.nodes = nodes;
+    block.cells = identity(nodes.size()/block.nNodes);
+    block.colour(nMeshNodes);
+    return block;
+}
+
+static label dimension(const elementShape shape)
+{
+    return shape == elementShape::TRI || shape == elementShape::QUAD ? 2 : 3;
+}
+
+static PtrList<elementScatter> makeScatter(const elementBlock& block, const label nNodes)
+{
+    PtrList<elementScatter> scatter;
+    scatter.append(new elementScatter(block, identity(nNodes), identity(nNodes)));
+    return scatter;
+}
+
+} // End namespace Foam
+
+
+const Foam::dictionary& Foam::exampleMaterials()
+{
+    static IFstream is(getEnv("MONOLITHICFOAM_DIR") + "/tests/unit/solid/materials");
+    static const dictionary dict(is);
+    return dict;
+}
+
+
+Foam::autoPtr<Foam::solidMaterial> Foam::exampleMaterial(const word& type)
+{
+    return solidMaterial::New(exampleMaterials().subDict(type));
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::elementPatch::elementPatch
+(
+    const solidMaterial& material,
+    const elementShape shape,
+    const label order,
+    const vectorField& X,
+    const labelList& nodes
+)
+:
+    material_(material),
+    dim_(dimension(shape)),
+    X_(X),
+    block_(makeBlock(shape, order, X.size(), nodes)),
+    map_(identity(X.size()), labelList(X.size(), dim_)),
+    scatter_(makeScatter(block_, X.size())),
+    K_(map_, map_, nullptr, scatter_),
+    minDetJ_(GREAT),
+    stage(X_, {0, 1, 2})
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Eigen::VectorXd Foam::elementPatch::toUnknowns(const vectorField& f) const
+{
+    Eigen::VectorXd x(nUnknowns());
+    forAll(f, n) for (label a = 0; a < dim_; ++a) x[n*dim_ + a] = f[n][a];
+    return x;
+}
+
+
+Foam::vectorField Foam::elementPatch::toNodes(const Eigen::VectorXd& x) const
+{
+    vectorField f(X_.size(), Zero);
+    forAll(f, n) for (label a = 0; a < dim_; ++a) f[n][a] = x[n*dim_ + a];
+    return f;
+}
+
+
+Eigen::VectorXd Foam::elementPatch::force()
+{
+    vectorField f(X_.size(), Zero);
+    minDetJ_ = material_.assemble(block_, stage, f, nullptr);
+    return toUnknowns(f);
+}
+
+
+Eigen::MatrixXd Foam::elementPatch::tangent()
+{
+    K_.clear();
+    vectorField f(X_.size(), Zero);
+    const solidMatrix to{K_, scatter_[0]};
+    minDetJ_ = material_.assemble(block_, stage, f, &to);
+
+    labelList row, col;
+    scalarField value;
+    K_.triplets(row, col);
+    K_.values(value);
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(nUnknowns(), nUnknowns());
+    forAll(value, k) K(row[k], col[k]) += value[k];
+    return K;
+}
+
+
+Foam::label Foam::elementPatch::solve
+(
+    const Eigen::VectorXd& f,
+    const labelList& fixed
+)
+{
+    Eigen::VectorXd x = toUnknowns(stage.D);
+    for (label iter = 1; iter <= 30; ++iter)
+    {
+        Eigen::VectorXd r = f - force();
+        Eigen::MatrixXd K = tangent();
+        for (const label u : fixed)
+        {
+            K.row(u).setZero();
+            K.col(u).setZero();
+            K(u, u) = 1;
+            r[u] = 0;
+        }
+        const Eigen::VectorXd dx = K.ldlt().solve(r);
+        x += dx;
+        stage.D = toNodes(x);
+        if (dx.norm() < 1e-8*x.norm()) return iter;
+    }
+    return -1;
+}
+
+
+// ************************************************************************* //

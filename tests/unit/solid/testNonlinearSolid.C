@@ -1,0 +1,385 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    Tests of the region solver nonlinearSolid on small meshes of blockMesh:
+    Cook's membrane, loads and their tangents, errors of the dictionaries.
+\*---------------------------------------------------------------------------*/
+
+#include "nonlinearSolid.H"
+#include "Time.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include <Eigen/Sparse>
+#include <gtest/gtest.h>
+#include <cstdlib>
+
+using namespace Foam;
+
+namespace
+{
+
+//- Case in a temporary directory, removed at the end
+class solidCase
+{
+    fileName dir_;
+    autoPtr<Time> time_;
+    autoPtr<fvMesh> mesh_;
+    autoPtr<nodeMap> map_;
+    autoPtr<dofConstraints> constraints_;
+    autoPtr<feMatrix> K_;
+
+    void write(const fileName& file, const std::string& cls, const std::string& content)
+    {
+        mkDir((dir_/file).path());
+        OFstream os(dir_/file);
+        os  << "FoamFile { version 2.0; format ascii; class " << cls.c_str()
+            << "; object " << file.name() << "; }\n" << content.c_str() << endl;
+    }
+
+public:
+
+    autoPtr<nonlinearSolid> solid;
+
+    //- Entries of the files
+    std::string blockMesh, materials, elements = "linear", timeScheme = "type steady;", pointD;
+
+    ~solidCase()
+    {
+        solid.clear();
+        mesh_.clear();
+        time_.clear();
+        rmDir(dir_);
+    }
+
+    void make()
+    {
+        char name[] = "/tmp/test-solid-XXXXXX";
+        dir_ = ::mkdtemp(name);
+        write("system/controlDict", "dictionary", "deltaT 0.1; endTime 1; writeInterval 1;");
+        write("system/fvSchemes", "dictionary", "");
+        write("system/fvSolution", "dictionary", "");
+        write
+        (
+            "system/feSchemes", "dictionary",
+            "elements " + elements + "; timeScheme {" + timeScheme + "}"
+        );
+        write("constant/mechanicalProperties", "dictionary", "materials (" + materials + ");");
+        write("system/blockMeshDict", "dictionary", blockMesh);
+        write
+        (
+            "0/pointD", "pointVectorField",
+            "dimensions [0 1 0 0 0 0 0]; internalField uniform (0 0 0); boundaryField {" + pointD + "}"
+        );
+        ASSERT_EQ(std::system(("blockMesh -case " + dir_ + " > " + dir_ + "/log").c_str()), 0);
+
+        time_.reset(new Time(Time::controlDictName, dir_.path(), dir_.name(), "system", "constant", false));
+        mesh_.reset(new fvMesh(IOobject(fvMesh::defaultRegion, "constant", time_(), IOobject::MUST_READ)));
+        solid.reset(new nonlinearSolid(mesh_()));
+
+        const label n = solid->fe().nNodes();
+        map_.reset(new nodeMap(solid->fe().key(), labelList(n, solid->fe().dim())));
+        constraints_.reset(new dofConstraints(map_->nUnknowns()));
+        solid->connect(identity(n), map_());
+        solid->constrain(constraints_());
+        constraints_->close();
+        K_.reset(new feMatrix(map_(), map_(), constraints_.get(), solid->scatter()));
+        time_->setDeltaT(0.1);
+        solid->timeScheme().setDeltaT(0.1);
+    }
+
+    //- To the next time
+    void next()
+    {
+        solid->state().store();
+        ++time_();
+        solid->predict(time_->value());
+    }
+
+    label nUnknowns() const { return map_->nUnknowns(); }
+
+    scalarField residual(const bool condensed = true)
+    {
+        scalarField R(nUnknowns(), 0);
+        solid->assemble(R, nullptr);
+        if (condensed) constraints_->condense(R);
+        return R;
+    }
+
+    Eigen::SparseMatrix<double> tangent()
+    {
+        K_->clear();
+        scalarField R(nUnknowns(), 0);
+        solid->assemble(R, K_.get());
+        labelList row, col;
+        scalarField value;
+        K_->triplets(row, col);
+        K_->values(value);
+        std::vector<Eigen::Triplet<double>> entries;
+        forAll(value, k) entries.push_back({int(row[k]), int(col[k]), value[k]});
+        Eigen::SparseMatrix<double> K(nUnknowns(), nUnknowns());
+        K.setFromTriplets(entries.begin(), entries.end());
+        return K;
+    }
+
+    void update(scalarField dx)
+    {
+        constraints_->distribute(dx);
+        solid->update(dx);
+    }
+
+    //- Newton's method. Returns the number of iterations
+    label solve()
+    {
+        for (label iter = 1; iter <= 30; ++iter)
+        {
+            scalarField r(-residual()), dx(nUnknowns());
+            const Eigen::SparseMatrix<double> K = tangent();
+            const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(K);
+            Eigen::Map<Eigen::VectorXd>(dx.data(), dx.size()) =
+                factors.solve(Eigen::Map<Eigen::VectorXd>(r.data(), r.size()));
+            update(dx);
+            if (max(mag(dx)) < 1e-10*max(mag(solid->interfaceMotion()->D))) return iter;
+        }
+        return -1;
+    }
+
+    //- Displacement of the node at a position
+    vector displacement(const point& X) const
+    {
+        forAll(solid->fe().points(), n)
+        {
+            if (mag(solid->fe().points()[n] - X) < 1e-6) return solid->interfaceMotion()->D[n];
+        }
+        return vector::max;
+    }
+};
+
+
+const char* const twoDimensional = "plane { type empty; faces ((0 3 2 1) (4 5 6 7)); }";
+
+void cook(solidCase& c, const std::string& n, const std::string& elements)
+{
+    c.elements = elements;
+    c.blockMesh =
+        "vertices ((0 0 0) (48 44 0) (48 60 0) (0 44 0) (0 0 1) (48 44 1) (48 60 1) (0 44 1));"
+        "blocks (hex (0 1 2 3 4 5 6 7) (" + n + " " + n + " 1) simpleGrading (1 1 1)); boundary ("
+        "clamp { type wall; faces ((0 4 7 3)); } right { type patch; faces ((1 2 6 5)); }"
+        "free { type patch; faces ((0 1 5 4) (3 7 6 2)); }" + twoDimensional + ");";
+    c.materials = "cook { type neoHookean; rho 1; E 200; nu 0.35; }";
+    c.pointD =
+        "clamp { type fixedValue; value uniform (0 0 0); } free { type calculated; value uniform (0 0 0); }"
+        "right { type traction; traction constant (0 4 0); value uniform (0 0 0); } plane { type empty; }";
+    c.make();
+}
+
+void cube(solidCase& c)
+{
+    c.blockMesh =
+        "vertices ((0 0 0) (1 0.1 0) (1 1 0) (0 1 0.1) (0 0 1) (1 0 1) (1.2 1 1) (0 1 1));"
+        "blocks (hex (0 1 2 3 4 5 6 7) one (2 2 2) simpleGrading (1 1 1)); boundary ("
+        "clamp { type wall; faces ((0 4 7 3)); } loaded { type patch; faces ((1 2 6 5) (4 5 6 7)); });"
+        "defaultPatch { name free; type patch; }";
+    c.materials = "rubber { type neoHookean; rho 1000; E 100; nu 0.3; }";
+    c.pointD =
+        "clamp { type fixedValue; value uniform (0 0 0); } free { type calculated; value uniform (0 0 0); }"
+        "loaded { type followerPressure; pressure constant 20; value uniform (0 0 0); }";
+}
+
+
+//- The message of the error that a case gives
+std::string complaintOf(solidCase& c)
+{
+    const bool throwing = FatalIOError.throwExceptions();
+    std::string message;
+    try { c.make(); }
+    catch (const Foam::IOerror& error) { message = error.message(); }
+    catch (const Foam::error& error) { message = error.message(); }
+    FatalIOError.throwExceptions(throwing);
+    return message;
+}
+
+void expectComplaint(solidCase& c, const std::string& part)
+{
+    const std::string message = complaintOf(c);
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+//- Tip 6.147: neo-Hookean of this form, converged (R. Mueller 2015; Elmer)
+TEST(nonlinearSolid, CooksMembrane)
+{
+    struct { const char* elements; const char* n; scalar tolerance; } runs[] =
+        {{"linear", "16", 0.05}, {"enhancedStrain", "16", 0.005}, {"quadratic", "8", 0.003}};
+    for (const auto& run : runs)
+    {
+        SCOPED_TRACE(run.elements);
+        solidCase c;
+        cook(c, run.n, run.elements);
+        c.next();
+        const label nIter = c.solve();
+        EXPECT_GT(nIter, 0);
+        const scalar tip = c.displacement({48, 60, 0}).y();
+        Info<< "    Cook's membrane, " << run.n << 'x' << run.n << ' ' << run.elements << ": " << tip
+            << " in " << nIter << " iterations" << endl;
+        EXPECT_NEAR(tip, 6.147, run.tolerance*6.147);
+    }
+}
+
+
+//- Forces on the clamp are those of the traction
+TEST(nonlinearSolid, isInEquilibriumWithItsTraction)
+{
+    solidCase c;
+    cook(c, "4", "enhancedStrain");
+    c.next();
+    c.solve();
+    c.residual();
+    vector clamp = Zero;
+    const label patchi = c.solid->mesh().boundaryMesh().findPatchID("clamp");
+    for (const label n : c.solid->fe().patchNodes(patchi)) clamp += c.solid->force()[n];
+    EXPECT_NEAR(clamp.x(), 0, 1e-9);
+    EXPECT_NEAR(clamp.y(), -64, 1e-9);
+}
+
+
+TEST(nonlinearSolid, tangentHasFollowerPressureAndTimeScheme)
+{
+    for (const char* elements : {"linear", "enhancedStrain", "quadratic"})
+    {
+        SCOPED_TRACE(elements);
+        solidCase c;
+        cube(c);
+        c.elements = elements;
+        c.timeScheme = "type generalisedAlpha; rhoInf 0.5;";
+        c.make();
+        c.next();
+
+        Random random(1);
+        scalarField x(c.nUnknowns()), dx(x);
+        for (scalar& s : x) s = 0.3*random.GaussNormal<scalar>();
+        for (scalar& s : dx) s = random.GaussNormal<scalar>();
+        c.update(x);
+
+        const Eigen::SparseMatrix<double> K = c.tangent();
+        const scalar h = 1e-5;
+        scalarField dR(c.nUnknowns(), 0), KdX(dR);
+        c.update(h*dx);
+        dR = c.residual();
+        c.update(-2*h*dx);
+        dR = (dR - c.residual())/(2*h);
+
+        // Rows of fixed unknowns are not their forces
+        Eigen::Map<Eigen::VectorXd>(KdX.data(), KdX.size()) =
+            K*Eigen::Map<Eigen::VectorXd>(dx.data(), dx.size());
+        forAll(dR, u) if (dR[u] == 0) KdX[u] = 0;
+        EXPECT_LT(::sqrt(sumSqr(dR - KdX)), 1e-6*::sqrt(sumSqr(KdX)));
+    }
+}
+
+
+//- Pressure on a closed surface has no resultant, however it is deformed
+TEST(nonlinearSolid, pressureFollowsTheSurface)
+{
+    solidCase c;
+    cube(c);
+    c.elements = "quadratic";
+    c.pointD =
+        "clamp { type followerPressure; pressure constant 3; value uniform (0 0 0); }"
+        "free { type followerPressure; pressure constant 3; value uniform (0 0 0); }"
+        "loaded { type followerPressure; pressure constant 3; value uniform (0 0 0); }";
+    c.make();
+    Random random(2);
+    scalarField x(c.nUnknowns());
+    for (scalar& s : x) s = 0.05*random.GaussNormal<scalar>();
+    c.next();
+    c.update(x);
+    c.residual();
+    EXPECT_LT(mag(sum(c.solid->force())), 1e-12);
+    const scalar inside = mag(gSum(mag(c.solid->force())()));
+    EXPECT_GT(inside, 1);
+}
+
+
+TEST(nonlinearSolid, takesAForceDensity)
+{
+    solidCase c;
+    cube(c);
+    c.pointD = "\".*\" { type calculated; value uniform (0 0 0); }";
+    c.make();
+    c.next();
+    c.solid->source = [](const point& X, const scalar t) { return vector(X.x(), 2, t); };
+    c.residual();
+    const scalar V = gSum(c.solid->mesh().V());
+    const vector f = sum(c.solid->force());
+    EXPECT_NEAR(f.y(), -2*V, 1e-2*V);
+    EXPECT_NEAR(f.z()/f.y(), 0.05, 1e-12);
+}
+
+
+TEST(nonlinearSolid, derivesItsOutput)
+{
+    solidCase c;
+    cook(c, "2", "quadratic");
+
+    // Uniform stretch along y: P33 of plane strain makes part of von Mises'
+    motionField& motion = *c.solid->interfaceMotion();
+    const scalar F = 1.1, mu = 200/2.7, lambda = 200*0.35/(1.35*0.3);
+    forAll(motion.D, n) motion.D[n] = vector(0, (F - 1)*c.solid->fe().points()[n].y(), 0);
+    c.solid->derive();
+
+    const fvMesh& mesh = c.solid->mesh();
+    const scalar lateral = 0.5*lambda*(F*F - 1)/F, axial = mu*(F - 1/F) + lateral;
+    const auto& sigma = mesh.lookupObject<volSymmTensorField>("sigma");
+    EXPECT_LT(mag(sigma[0] - symmTensor(lateral, 0, 0, axial, 0, lateral)), 1e-11*axial);
+    EXPECT_NEAR(mesh.lookupObject<volScalarField>("sigmaEq")[3], axial - lateral, 1e-11*axial);
+    const auto& D = mesh.lookupObject<volVectorField>("D");
+    EXPECT_NEAR(D[1].y(), 0.1*mesh.C()[1].y(), 0.02);
+    const auto& pointD = mesh.lookupObject<pointVectorField>("pointD");
+    forAll(pointD, p) EXPECT_NEAR(pointD[p].y(), 0.1*mesh.points()[p].y(), 1e-12);
+}
+
+
+TEST(nonlinearSolid, hasMaterialsByCellZone)
+{
+    solidCase c;
+    cube(c);
+    c.materials = "a { type neoHookean; rho 1; E 1; nu 0; cellZone one; }";
+    c.make();
+    EXPECT_EQ(c.solid->assembly().blocks().size(), 1);
+
+    solidCase twice, none, unknown, noDict, noType;
+    cube(twice);
+    twice.materials = c.materials + "b { type neoHookean; rho 1; E 1; nu 0; }";
+    expectComplaint(twice, "has the materials 'a' and 'b'");
+    cube(none);
+    none.materials = "";
+    expectComplaint(none, "has no material");
+    cube(unknown);
+    unknown.materials = "a { type neoHookean; rho 1; E 1; nu 0; cellZone two; }";
+    expectComplaint(unknown, "Its cellZones are 1(one)");
+    cube(noDict);
+    noDict.materials = "a 1;";
+    expectComplaint(noDict, "is no dictionary");
+    cube(noType);
+    noType.materials = "a { type steel; }";
+    expectComplaint(noType, "StVenantKirchhoff");
+}
+
+
+TEST(nonlinearSolid, listsTheKindsOfElements)
+{
+    solidCase c;
+    cube(c);
+    c.elements = "cubic";
+    expectComplaint(c, "enhancedStrain");
+}
+
+
+// ************************************************************************* //
