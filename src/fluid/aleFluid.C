@@ -128,6 +128,27 @@ void Foam::aleFluid::readMotion()
 }
 
 
+void Foam::aleFluid::makeMotion(const labelUList& patches)
+{
+    IOdictionary solution
+    (
+        IOobject
+        (
+            "feSolution", mesh_.time().system(), mesh_.time(),
+            IOobject::MUST_READ, IOobject::NO_WRITE, false
+        )
+    );
+    motion_.reset
+    (
+        new laplaceMotion
+        (
+            fe(), pointDisplacement_.get(), patches, motionDict_,
+            solution.subDict("linearSolver")
+        )
+    );
+}
+
+
 void Foam::aleFluid::initialise()
 {
     v_.v = fe().interpolate<vector>(pointU_->primitiveField());
@@ -223,23 +244,7 @@ void Foam::aleFluid::setInterface(const labelUList& patches)
     labelHashSet nodes;
     for (const label patchi : patches) nodes.insert(fe().patchNodes(patchi));
     interface_ = nodes.sortedToc();
-
-    IOdictionary solution
-    (
-        IOobject
-        (
-            "feSolution", mesh_.time().system(), mesh_.time(),
-            IOobject::MUST_READ, IOobject::NO_WRITE, false
-        )
-    );
-    motion_.reset
-    (
-        new laplaceMotion
-        (
-            fe(), pointDisplacement_.get(), patches, motionDict_,
-            solution.subDict("linearSolver")
-        )
-    );
+    makeMotion(patches);
 }
 
 
@@ -250,7 +255,12 @@ void Foam::aleFluid::connect
 )
 {
     feRegion::connect(systemNode, map);
-    if (interface_.empty() && !motion_.valid()) return;
+    if (!motion_.valid())
+    {
+        // The boundary moves as told, and its motion has no tangent
+        if (pointDisplacement_.valid()) makeMotion(labelList());
+        return;
+    }
 
     const labelList node(identity(fe().nNodes()));
     shapeColumns_.reset(new nodeMap(fe().key(), labelList(fe().nNodes(), fe().dim())));
@@ -282,15 +292,24 @@ void Foam::aleFluid::predict(const scalar time)
     mesh_D_.predict(ts);
 
     const nodalBoundary boundary(fe());
-    boundary.forValues(pointU_(), time, [&](const label n, const vector& u) { v_.set(ts, n, u); });
-    boundary.forValues(pointP_(), time, [&](const label n, const scalar p) { q_.set(ts, n, p); });
+    boundary.forValues
+    (
+        pointU_(), time, systemNode_, *map_,
+        [&](const label n, const vector& u) { v_.set(ts, n, u); }
+    );
+    boundary.forValues
+    (
+        pointP_(), time, systemNode_, *map_,
+        [&](const label n, const scalar p) { q_.set(ts, n, p); }
+    );
     if (pointDisplacement_.valid())
     {
         boundary.forValues
         (
-            pointDisplacement_(), time,
+            pointDisplacement_(), time, systemNode_, *map_,
             [&](const label n, const vector& d) { mesh_D_.setD(ts, n, d); }
         );
+        if (!hasMotionTangent()) moveMesh();
     }
 }
 

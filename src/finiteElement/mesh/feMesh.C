@@ -288,7 +288,8 @@ Foam::feMesh::feMesh
 (
     const polyMesh& mesh,
     const label order,
-    const dictionary& dict
+    const dictionary& dict,
+    const pointField& points0
 )
 :
     mesh_(mesh),
@@ -299,7 +300,7 @@ Foam::feMesh::feMesh
     addPatches();
 
     nVertices_ = vertexPoint_.size();
-    points_ = pointField(mesh_.points(), vertexPoint_);
+    points_ = pointField(points0, vertexPoint_);
 
     EdgeMap<label> edgeNode;
     if (order_ == 2)
@@ -340,8 +341,31 @@ Foam::label Foam::feMesh::nElements() const
 
 Foam::scalar Foam::feMesh::meanSize() const
 {
-    scalar volume = gSum(mesh_.cellVolumes());
-    if (dim_ == 2) volume /= mesh_.bounds().span()[axes_[2]];
+    // Of the reference positions, so that a restart finds the same
+    scalar volume = 0;
+    for (const elementBlock& block : blocks_)
+    {
+        withElement(block, [&](auto tag)
+        {
+            typedef decltype(tag) E;
+            if (E::dim != dim_) return;
+            feValues<double, E> fe;
+            Vec<double, E::dim> x[E::nNodes];
+            for (label e = 0; e < block.size(); ++e)
+            {
+                for (int i = 0; i < E::nNodes; ++i) for (int a = 0; a < E::dim; ++a)
+                {
+                    x[i][a] = points_[block.element(e)[i]][axes_[a]];
+                }
+                for (int q = 0; q < fe.nQ; ++q)
+                {
+                    fe.reinit(x, q);
+                    volume += fe.dV;
+                }
+            }
+        });
+    }
+    reduce(volume, sumOp<scalar>());
     return Foam::pow(volume/returnReduce(nElements(), sumOp<label>()), 1.0/dim_);
 }
 

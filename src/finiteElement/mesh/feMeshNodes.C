@@ -188,7 +188,8 @@ void Foam::feMesh::curvePatches
 void Foam::feMesh::centreNodes()
 {
     // Blending of a curved quadrilateral and of a curved hexahedron:
-    // (sum of mid-sides)/2 - (sum of corners)/4, and so on
+    // (sum of mid-sides)/2 - (sum of corners)/4, and (sum of faces)/2 -
+    // (sum of mid-sides)/4 + (sum of corners)/8
     for (const elementBlock& block : blocks_)
     {
         const secondOrder s = secondOrder::of(block.shape);
@@ -216,7 +217,7 @@ void Foam::feMesh::centreNodes()
             }
             if (!s.solid) continue;
             point c = Zero;
-            for (label i = 0; i < 8; ++i) c += 0.25*points_[n[i]];
+            for (label i = 0; i < 8; ++i) c += 0.125*points_[n[i]];
             for (label i = 8; i < 20; ++i) c -= 0.25*points_[n[i]];
             for (label i = 20; i < 26; ++i) c += 0.5*points_[n[i]];
             points_[n[26]] = c;

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "feRegion.H"
+#include "points0MotionSolver.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -72,7 +73,14 @@ Foam::feRegion::feRegion(fvMesh& mesh, const label order)
     mesh_(mesh),
     schemes_(dictObject("feSchemes", mesh.time().system(), mesh)),
     timeScheme_(feTimeScheme::New(schemes_.subDict("timeScheme"))),
-    fe_(new feMesh(mesh, order, schemes_)),
+    fe_
+    (
+        new feMesh
+        (
+            mesh, order, schemes_,
+            pointIOField(points0MotionSolver::points0IO(mesh))
+        )
+    ),
     g_
     (
         IOobject

@@ -6,7 +6,6 @@
 
 #include "pointHistory.H"
 #include "pointFields.H"
-#include "FlatOutput.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -144,7 +143,9 @@ bool Foam::functionObjects::pointHistory::write()
     writeFileHeader();
 
     Log << type() << " " << name() << " write:" << nl
-        << "    " << field_ << " = " << flatOutput(value_) << nl << endl;
+        << "    " << field_ << " =";
+    for (const scalar v : value_) Log << ' ' << v;
+    Log << nl << endl;
 
     writeRow(file(), value_);
     return true;

@@ -139,12 +139,13 @@ void Foam::nonlinearSolid::predict(const scalar time)
 {
     const feTimeScheme& ts = timeScheme();
     motion_.predict(ts);
-    nodalBoundary(fe()).forValues(pointD_(), time, [&](const label n, const vector& value)
+    const auto set = [&](const label n, const vector& value)
     {
         vector D = Zero;
         for (label a = 0; a < fe().dim(); ++a) D[fe().axis(a)] = value[fe().axis(a)];
         motion_.setD(ts, n, D);
-    });
+    };
+    nodalBoundary(fe()).forValues(pointD_(), time, systemNode_, *map_, set);
 }
 
 

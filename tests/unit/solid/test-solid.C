@@ -17,6 +17,7 @@ int main(int argc, char* argv[])
 {
     ::testing::InitGoogleTest(&argc, argv);
     Foam::FatalError.throwExceptions();
+    Foam::FatalIOError.throwExceptions();
     return RUN_ALL_TESTS();
 }
 

@@ -12,6 +12,7 @@ Description
 #include "Time.H"
 #include "OFstream.H"
 #include "OSspecific.H"
+#include "Random.H"
 #include <Eigen/Sparse>
 #include <gtest/gtest.h>
 #include <cstdlib>
@@ -59,7 +60,7 @@ public:
         char name[] = "/tmp/test-solid-XXXXXX";
         dir_ = ::mkdtemp(name);
         write("system/controlDict", "dictionary", "deltaT 0.1; endTime 1; writeInterval 1;");
-        write("system/fvSchemes", "dictionary", "");
+        write("system/fvSchemes", "dictionary", "divSchemes {} gradSchemes {} laplacianSchemes {}");
         write("system/fvSolution", "dictionary", "");
         write
         (
@@ -75,7 +76,7 @@ public:
         );
         ASSERT_EQ(std::system(("blockMesh -case " + dir_ + " > " + dir_ + "/log").c_str()), 0);
 
-        time_.reset(new Time(Time::controlDictName, dir_.path(), dir_.name(), "system", "constant", false));
+        time_.reset(new Time(Time::controlDictName, fileName(dir_.path()), fileName(dir_.name())));
         mesh_.reset(new fvMesh(IOobject(fvMesh::defaultRegion, "constant", time_(), IOobject::MUST_READ)));
         solid.reset(new nonlinearSolid(mesh_()));
 
@@ -141,17 +142,18 @@ public:
             Eigen::Map<Eigen::VectorXd>(dx.data(), dx.size()) =
                 factors.solve(Eigen::Map<Eigen::VectorXd>(r.data(), r.size()));
             update(dx);
-            if (max(mag(dx)) < 1e-10*max(mag(solid->interfaceMotion()->D))) return iter;
+            if (max(mag(dx)) < 1e-10*max(mag(solid->motion().D))) return iter;
         }
         return -1;
     }
 
-    //- Displacement of the node at a position
+    //- Displacement of the node at a position in the plane
     vector displacement(const point& X) const
     {
         forAll(solid->fe().points(), n)
         {
-            if (mag(solid->fe().points()[n] - X) < 1e-6) return solid->interfaceMotion()->D[n];
+            const vector d = solid->fe().points()[n] - X;
+            if (mag(d.x()) + mag(d.y()) < 1e-6) return solid->motion().D[n];
         }
         return vector::max;
     }
@@ -212,11 +214,15 @@ void expectComplaint(solidCase& c, const std::string& part)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-//- Tip 6.147: neo-Hookean of this form, converged (R. Mueller 2015; Elmer)
+//- Deflection of the tip: 6.1279 and 6.1389 with 16x16 and 32x32 biquadratic
+//  elements of another code, 6.147 converged
 TEST(nonlinearSolid, CooksMembrane)
 {
-    struct { const char* elements; const char* n; scalar tolerance; } runs[] =
-        {{"linear", "16", 0.05}, {"enhancedStrain", "16", 0.005}, {"quadratic", "8", 0.003}};
+    struct { const char* elements; const char* n; scalar tip, tolerance; } runs[] =
+    {
+        {"linear", "16", 6.147, 0.2}, {"enhancedStrain", "32", 6.147, 0.03},
+        {"quadratic", "16", 6.1279, 1e-4}, {"quadratic", "32", 6.1389, 1e-4}
+    };
     for (const auto& run : runs)
     {
         SCOPED_TRACE(run.elements);
@@ -225,10 +231,8 @@ TEST(nonlinearSolid, CooksMembrane)
         c.next();
         const label nIter = c.solve();
         EXPECT_GT(nIter, 0);
-        const scalar tip = c.displacement({48, 60, 0}).y();
-        Info<< "    Cook's membrane, " << run.n << 'x' << run.n << ' ' << run.elements << ": " << tip
-            << " in " << nIter << " iterations" << endl;
-        EXPECT_NEAR(tip, 6.147, run.tolerance*6.147);
+        EXPECT_LE(nIter, 7);
+        EXPECT_NEAR(c.displacement({48, 60, 0}).y(), run.tip, run.tolerance);
     }
 }
 
@@ -261,7 +265,7 @@ TEST(nonlinearSolid, tangentHasFollowerPressureAndTimeScheme)
         c.make();
         c.next();
 
-        Random random(1);
+        Foam::Random random(1);
         scalarField x(c.nUnknowns()), dx(x);
         for (scalar& s : x) s = 0.3*random.GaussNormal<scalar>();
         for (scalar& s : dx) s = random.GaussNormal<scalar>();
@@ -295,7 +299,7 @@ TEST(nonlinearSolid, pressureFollowsTheSurface)
         "free { type followerPressure; pressure constant 3; value uniform (0 0 0); }"
         "loaded { type followerPressure; pressure constant 3; value uniform (0 0 0); }";
     c.make();
-    Random random(2);
+    Foam::Random random(2);
     scalarField x(c.nUnknowns());
     for (scalar& s : x) s = 0.05*random.GaussNormal<scalar>();
     c.next();
@@ -340,7 +344,7 @@ TEST(nonlinearSolid, derivesItsOutput)
     EXPECT_LT(mag(sigma[0] - symmTensor(lateral, 0, 0, axial, 0, lateral)), 1e-11*axial);
     EXPECT_NEAR(mesh.lookupObject<volScalarField>("sigmaEq")[3], axial - lateral, 1e-11*axial);
     const auto& D = mesh.lookupObject<volVectorField>("D");
-    EXPECT_NEAR(D[1].y(), 0.1*mesh.C()[1].y(), 0.02);
+    EXPECT_NEAR(D[1].y(), 0.1*mesh.C()[1].y(), 0.1);
     const auto& pointD = mesh.lookupObject<pointVectorField>("pointD");
     forAll(pointD, p) EXPECT_NEAR(pointD[p].y(), 0.1*mesh.points()[p].y(), 1e-12);
 }
@@ -370,6 +374,32 @@ TEST(nonlinearSolid, hasMaterialsByCellZone)
     cube(noType);
     noType.materials = "a { type steel; }";
     expectComplaint(noType, "StVenantKirchhoff");
+}
+
+
+//- Uniaxial stress in two bars in a row: their stretches are in the inverse
+//  ratio of the moduli
+TEST(nonlinearSolid, splitsItsElementsByMaterial)
+{
+    solidCase c;
+    c.blockMesh =
+        "vertices ((0 0 0) (1 0 0) (2 0 0) (0 1 0) (1 1 0) (2 1 0)"
+        " (0 0 1) (1 0 1) (2 0 1) (0 1 1) (1 1 1) (2 1 1));"
+        "blocks (hex (0 1 4 3 6 7 10 9) soft (3 3 3) simpleGrading (1 1 1)"
+        " hex (1 2 5 4 7 8 11 10) stiff (3 3 3) simpleGrading (1 1 1));"
+        "boundary (clamp { type wall; faces ((0 6 9 3)); } right { type patch; faces ((2 5 11 8)); });"
+        "defaultPatch { name free; type patch; }";
+    const std::string law = "type StVenantKirchhoff; rho 1; nu 0;";
+    c.materials = "a {" + law + "E 100; cellZone soft; } b {" + law + "E 400; cellZone stiff; }";
+    c.pointD =
+        "clamp { type fixedValue; value uniform (0 0 0); } free { type calculated; value uniform (0 0 0); }"
+        "right { type traction; traction constant (1e-3 0 0); value uniform (0 0 0); }";
+    c.make();
+    EXPECT_EQ(c.solid->assembly().blocks().size(), 2);
+    c.next();
+    EXPECT_GT(c.solve(), 0);
+    EXPECT_NEAR(c.displacement({1, 0, 0}).x(), 1e-5, 1e-9);
+    EXPECT_NEAR(c.displacement({2, 0, 0}).x(), 1.25e-5, 1e-9);
 }
 
 
