@@ -6,6 +6,9 @@
 
 #include "shapeMesh.H"
 #include "cellModel.H"
+#include <algorithm>
+#include <map>
+#include <vector>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -15,7 +18,7 @@ namespace
 using namespace Foam;
 
 //- Cells of a brick with corners v numbered as a hex, centre c
-void divide
+void makeCells
 (
     const word& cell,
     const FixedList<label, 8>& v,
@@ -54,13 +57,19 @@ void divide
 //- Faces of one cell only, on the six sides of the unit box
 faceListList boundary(const UList<cellShape>& cells, const pointField& points)
 {
-    HashTable<label, face, face::symmHash> count(10*cells.size());
-    for (const cellShape& c : cells) for (const face& f : c.faces()) ++count(f, 0);
+    std::map<std::vector<label>, label> count;
+    const auto key = [](const face& f)
+    {
+        std::vector<label> points(f.begin(), f.end());
+        std::sort(points.begin(), points.end());
+        return points;
+    };
+    for (const cellShape& c : cells) for (const face& f : c.faces()) ++count[key(f)];
 
     List<DynamicList<face>> sides(6);
     for (const cellShape& c : cells) for (const face& f : c.faces())
     {
-        if (count[f] == 2) continue;
+        if (count[key(f)] == 2) continue;
         const point x = f.centre(points);
         for (label a = 0; a < 3; ++a)
         {
@@ -105,7 +114,7 @@ Foam::shapeMesh::shapeMesh
             corner(i, j, k + 1), corner(i + 1, j, k + 1), corner(i + 1, j + 1, k + 1), corner(i, j + 1, k + 1)
         });
         if (cell == "pyr") points.append(0.5*(points[v[0]] + points[v[6]]));
-        divide(cell, v, points.size() - 1, cells);
+        makeCells(cell, v, points.size() - 1, cells);
     }
 
     const wordList names({"left", "right", "bottom", "top", "back", "front"});

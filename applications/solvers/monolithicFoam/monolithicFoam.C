@@ -51,11 +51,15 @@ int main(int argc, char *argv[])
         problem.store();
         if (!problem.step())
         {
+            // Back to the last good state, written if it is not the initial one
             problem.restore();
             runTime.setTime(runTime.value() - runTime.deltaTValue(), runTime.timeIndex() - 1);
-            problem.advance();
-            runTime.writeNow();
-            problem.writeState();
+            if (runTime.timeIndex() > runTime.startTimeIndex())
+            {
+                problem.advance();
+                runTime.writeNow();
+                problem.writeState();
+            }
             FatalErrorInFunction
                 << "The step from time " << runTime.timeName() << " with deltaT "
                 << runTime.deltaTValue() << " did not converge: "

@@ -123,14 +123,17 @@ void Foam::feMesh::addElements()
 
 void Foam::feMesh::addElements2D()
 {
-    // The empty faces that look along the positive empty direction
+    // The empty faces on the positive side of their cells; those of inverted
+    // cells, too, which checkOrientation() is to find
     DynamicList<label> faces;
+    const label z = axes_[2];
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
         if (!isA<emptyPolyPatch>(pp)) continue;
         forAll(pp, i)
         {
-            if (pp.faceAreas()[i][axes_[2]] > 0) faces.append(pp.start() + i);
+            const label celli = pp.faceCells()[i];
+            if (pp.faceCentres()[i][z] > mesh_.cellCentres()[celli][z]) faces.append(pp.start() + i);
         }
     }
 

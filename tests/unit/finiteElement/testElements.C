@@ -257,13 +257,14 @@ TYPED_TEST(elements, integratesItsVolume)
 }
 
 
-//- All lanes of a pack give what double gives, to the bit
+//- All lanes of a pack give what double gives; what a lane gives does not
+//  depend on the others, to the bit
 TYPED_TEST(elements, aPackIsSeveralDoubles)
 {
     typedef TypeParam E;
-    feValues<pack, E> many;
+    feValues<pack, E> many, alike;
     feValues<double, E> one;
-    Vec<pack, E::dim> X[E::nNodes];
+    Vec<pack, E::dim> X[E::nNodes], same[E::nNodes];
     typename elements<E>::vec x[packSize][E::nNodes];
     for (int l = 0; l < packSize; ++l)
     {
@@ -275,11 +276,15 @@ TYPED_TEST(elements, aPackIsSeveralDoubles)
         many.reinit(X, q);
         for (int l = 0; l < packSize; ++l)
         {
+            for (int i = 0; i < E::nNodes; ++i) for (int a = 0; a < E::dim; ++a) same[i][a] = x[l][i][a];
             one.reinit(x[l], q);
+            alike.reinit(same, q);
             EXPECT_NEAR(many.dV[l], one.dV, 1e-14*std::abs(one.dV));
+            EXPECT_EQ(many.dV[l], alike.dV[0]);
             for (int i = 0; i < E::nNodes; ++i) for (int a = 0; a < E::dim; ++a)
             {
                 EXPECT_NEAR(many.dN[i][a][l], one.dN[i][a], 1e-13);
+                EXPECT_EQ(many.dN[i][a][l], alike.dN[i][a][0]);
             }
         }
     }
