@@ -224,7 +224,9 @@ Foam::coupledSystem::coupledSystem(Time& runTime)
         )
     ),
     newton_(solution_.subOrEmptyDict("newton")),
+    assembled_(false),
     factorised_(false),
+    makingCost_(0),
     factorCost_(0),
     factorUses_(0),
     nLinear_(0)
@@ -298,6 +300,7 @@ void Foam::coupledSystem::writeState()
                 << exit(FatalError);
         }
     }
+    assembled_ = false;
     factorised_ = false;
 }
 
@@ -312,12 +315,14 @@ bool Foam::coupledSystem::readState()
         any = true;
         IFstream is(file, IOstream::BINARY);
         const word header(is);
-        const label version = readLabel(is);
+        const label version = header == "monolithicFoamState" ? readLabel(is) : -1;
         if (header != "monolithicFoamState" || version != 1)
         {
             FatalIOErrorInFunction(is)
                 << "Found '" << header << ' ' << version
-                << "', expected 'monolithicFoamState 1'" << exit(FatalIOError);
+                << "', expected 'monolithicFoamState 1'" << nl
+                << "Remove this file to start from the point fields"
+                << exit(FatalIOError);
         }
         const scalarField time(is);
         const label index = readLabel(is);

@@ -54,6 +54,7 @@ void Foam::coupledSystem::assemble(const bool tangent)
 {
     systemTimes::timer timer(times_, systemTimes::ASSEMBLY);
     if (tangent) K_->clear();
+    assembled_ = assembled_ || tangent;
     R_ = 0;
     for (feRegion& region : regions_) region.assemble(R_, tangent ? K_.get() : nullptr);
 
@@ -153,7 +154,8 @@ bool Foam::coupledSystem::factorise()
     // Operations of a factorisation, done at some ten times the rate of a
     // back-substitution's, which touches each entry of the factors once
     const auto& stats = factors_->solver().stats();
-    factorCost_ = stats.nFlops/(20*max(stats.nNonzeros, 1.0));
+    makingCost_ = stats.nFlops/(20*max(stats.nNonzeros, 1.0));
+    factorCost_ = makingCost_;
     factorUses_ = 0;
     factorised_ = true;
     ++times_.nFactorisations;
@@ -197,7 +199,7 @@ void Foam::coupledSystem::reportSingular(const label unknown) const
 }
 
 
-Foam::label Foam::coupledSystem::solveOnce()
+Foam::label Foam::coupledSystem::solveOnce(const label limit)
 {
     systemTimes::timer timer(times_, systemTimes::SOLVE);
     forAll(b_, u) b_[u] = -R_[u]*rowScale_[u];
@@ -213,7 +215,7 @@ Foam::label Foam::coupledSystem::solveOnce()
         factors_->solve(y_, x);
         constraints_->distribute(x);
     };
-    return gmres_->solve(A, Minv, b_, dx_, newton_.linearTolerance());
+    return gmres_->solve(A, Minv, b_, dx_, newton_.linearTolerance(), limit);
 }
 
 
@@ -225,12 +227,16 @@ bool Foam::coupledSystem::solve()
         if (!factorise()) { newton_.fail(feRegion::SINGULAR); return false; }
         fresh = true;
     }
-    label n = solveOnce();
-    const label limit = solution_.subDict("linearSolver").lookupOrDefault<label>("maxIter", 60);
+
+    // With old factors no more iterations than new ones would cost
+    const label most = gmres_->maxIter();
+    label limit = fresh ? most : min(most, label(10 + makingCost_));
+    label n = solveOnce(limit);
     if (n > limit && !fresh)
     {
         if (!factorise()) { newton_.fail(feRegion::SINGULAR); return false; }
-        n = solveOnce();
+        limit = most;
+        n = solveOnce(limit);
     }
     if (n > limit) newton_.fail(feRegion::DIVERGED);
 
@@ -282,13 +288,16 @@ bool Foam::coupledSystem::step()
     nLinear_ = -1;
     while (true)
     {
-        assemble(true);
+        // The tangent only when it is wanted: the residual is much cheaper
+        assemble(!assembled_);
         scalar detJ = GREAT;
         for (const feRegion& region : regions_) detJ = min(detJ, region.minDetJ());
         const scalar norm = max(norms_/scales_);
         const bool more = newton_.loop(norm, returnReduce(detJ, minOp<scalar>()));
         logIteration(nLinear_);
-        if (!more || !solve()) break;
+        if (!more) break;
+        assemble(true);
+        if (!solve()) break;
         update();
     }
 

@@ -113,7 +113,6 @@ void Foam::aleFluid::readMotion()
             << " Valid: (feLaplacian)" << exit(FatalIOError);
     }
     motionDict_ = dict.subOrEmptyDict("feLaplacianCoeffs");
-    motionDict_.name() = dict.name() + ".feLaplacianCoeffs";
     motionDict_.set("motionSolver", solver);
 
     IOobject io

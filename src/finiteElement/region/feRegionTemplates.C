@@ -82,15 +82,22 @@ Foam::feRegion::readPointField
             << " (SI; pressure in Pa, not divided by the density)"
             << exit(FatalError);
     }
-    for (const Type& v : field->primitiveField())
+    const auto check = [&](const Field<Type>& values, const word& patch)
     {
-        for (direction c = 0; c < pTraits<Type>::nComponents; ++c)
+        for (const Type& v : values) for (direction c = 0; c < pTraits<Type>::nComponents; ++c)
         {
             if (std::isfinite(component(v, c))) continue;
             FatalErrorInFunction
                 << "File " << field->objectPath() << " holds the value " << v
+                << (patch.empty() ? "" : " on patch ") << patch
                 << ", expected finite numbers" << exit(FatalError);
         }
+    };
+    check(field->primitiveField(), "");
+    for (const auto& pf : field->boundaryField())
+    {
+        if (!isA<valuePointPatchField<Type>>(pf)) continue;
+        check(refCast<const valuePointPatchField<Type>>(pf), pf.patch().name());
     }
     return field;
 }
