@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coupledSystem.H"
+#include "trapsOff.H"
 #include "regionProperties.H"
 #include "IFstream.H"
 #include "OFstream.H"
@@ -231,6 +232,7 @@ Foam::coupledSystem::coupledSystem(Time& runTime)
     factorUses_(0),
     nLinear_(0)
 {
+    trapsOff::inThreads();
     readRegions();
     readInterfaces();
     makeUnknowns();

@@ -8,6 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "coupledSystem.H"
+#include "trapsOff.H"
 #include <limits>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -112,9 +113,11 @@ Foam::scalarField Foam::coupledSystem::roundOff() const
     forAll(stiffness, b)
     {
         feRegion& region = const_cast<feRegion&>(regions_[blockRegion_[b]]);
-        const scalar size = region.interfaceMotion() ? elementSize_[blockRegion_[b]] : 0;
-        stiffness[b] = 10*std::numeric_limits<scalar>::epsilon()*size*::sqrt(stiffness[b])
-            /region.timeScheme().displacementByUnknown();
+        const scalar size =
+            region.interfaceMotion()
+          ? elementSize_[blockRegion_[b]]/region.timeScheme().displacementByUnknown()
+          : region.velocityScale();
+        stiffness[b] = 10*std::numeric_limits<scalar>::epsilon()*size*::sqrt(stiffness[b]);
     }
     return stiffness;
 }
@@ -276,6 +279,7 @@ void Foam::coupledSystem::logIteration(const label nLinear) const
 
 bool Foam::coupledSystem::step()
 {
+    const trapsOff guard;
     times_.startStep();
     for (feRegion& region : regions_)
     {
@@ -292,7 +296,15 @@ bool Foam::coupledSystem::step()
         assemble(!assembled_);
         scalar detJ = GREAT;
         for (const feRegion& region : regions_) detJ = min(detJ, region.minDetJ());
-        const scalar norm = max(norms_/scales_);
+
+        // What is not a number must not get lost in a maximum
+        scalar norm = 0;
+        forAll(norms_, b)
+        {
+            const scalar r = norms_[b]/scales_[b];
+            norm = std::isfinite(r) ? max(norm, r) : r;
+            if (!std::isfinite(r)) break;
+        }
         const bool more = newton_.loop(norm, returnReduce(detJ, minOp<scalar>()));
         logIteration(nLinear_);
         if (!more) break;

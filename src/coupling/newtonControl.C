@@ -14,7 +14,7 @@ Foam::newtonControl::newtonControl(const dictionary& dict)
     maxIter_(dict.lookupOrDefault<label>("maxIter", 20)),
     relaxation_(dict.lookupOrDefault<scalar>("relaxation", 1)),
     linearTolerance_(dict.lookupOrDefault<scalar>("linearTolerance", 1e-2)),
-    iteration_(0),
+    iteration_(-1),
     norm_(GREAT),
     firstNorm_(GREAT),
     outcome_(feRegion::CONVERGED)
@@ -63,7 +63,10 @@ bool Foam::newtonControl::loop(const scalar norm, const scalar minDetJ)
 
 Foam::scalar Foam::newtonControl::linearTolerance() const
 {
-    return max(min(linearTolerance_, norm_), 0.3*tolerance_/norm_);
+    // Where the next residual would be near its goal, go there at once
+    const scalar tolerance = min(linearTolerance_, norm_);
+    const scalar enough = min(linearTolerance_, 0.3*tolerance_/norm_);
+    return tolerance*norm_ > 100*tolerance_ ? tolerance : enough;
 }
 
 

@@ -357,6 +357,14 @@ Foam::scalar Foam::aleFluid::fluxScale() const
 }
 
 
+Foam::scalar Foam::aleFluid::velocityScale() const
+{
+    scalar size = 0;
+    forAll(v_.v, n) size = max(size, max(mag(v_.v[n]), mag(mesh_D_.v[n])));
+    return returnReduce(size, maxOp<scalar>());
+}
+
+
 void Foam::aleFluid::advance()
 {
     if (moving()) mesh_.movePoints(fe().movedPoints(mesh_D_.D));

@@ -8,40 +8,56 @@
 #
 # Description
 #     Writes picture.png of the case in the working directory at its last time:
-#     the fluid coloured by velocity, the solid in grey.
+#     the fluid coloured by velocity, the displaced solid by equivalent stress.
 #------------------------------------------------------------------------------
 
 import os
 
 from paraview.simple import (
-    ColorBy, GetActiveViewOrCreate, OpenFOAMReader, Render, ResetCamera, SaveScreenshot, Show)
+    ColorBy, GetActiveViewOrCreate, GetColorTransferFunction, GetScalarBar, OpenFOAMReader, Render,
+    ResetCamera, SaveScreenshot, Show, WarpByVector)
 
 case = os.path.basename(os.getcwd())
 path = os.path.join(os.getcwd(), case + '.foam')
 open(path, 'a').close()
 
 view = GetActiveViewOrCreate('RenderView')
-view.ViewSize = [800, 300]
+view.ViewSize = [1000, 260]
 view.Background = [1, 1, 1]
+view.UseColorPaletteForBackground = 0
+view.OrientationAxesVisibility = 0
 
 for region in 'fluid', 'solid':
     if not os.path.isdir(os.path.join('constant', region, 'polyMesh')):
         continue
     reader = OpenFOAMReader(FileName=path)
-    reader.MeshRegions = ['%s/internalMesh' % region]
+    reader.MeshRegions = ['/%s/internalMesh' % region]
     reader.UpdatePipelineInformation()
-    view.ViewTime = max(reader.TimestepValues)
-    reader.UpdatePipeline(view.ViewTime)
+    time = max(reader.TimestepValues)
+    view.ViewTime = time
+    reader.UpdatePipeline(time)
 
-    display = Show(reader, view)
     if region == 'fluid':
+        display = Show(reader, view)
         ColorBy(display, ('POINTS', 'U', 'Magnitude'))
         display.RescaleTransferFunctionToDataRange(True)
         display.SetScalarBarVisibility(view, True)
+        bar = GetScalarBar(GetColorTransferFunction('U'), view)
+        bar.Title, bar.ComponentTitle = '|U| [m/s]', ''
+        bar.TitleColor = bar.LabelColor = [0, 0, 0]
+        bar.ScalarBarLength = 0.6
     else:
-        ColorBy(display, None)
-        display.DiffuseColor = [0.5, 0.5, 0.5]
+        # The solid's mesh stays where it was: move it by its displacement
+        warp = WarpByVector(Input=reader, Vectors=['POINTS', 'D'])
+        warp.UpdatePipeline(time)
+        display = Show(warp, view)
+        ColorBy(display, ('POINTS', 'sigmaEq'))
+        display.RescaleTransferFunctionToDataRange(True)
+        alone = not os.path.isdir(os.path.join('constant', 'fluid', 'polyMesh'))
+        display.SetScalarBarVisibility(view, alone)
 
 ResetCamera(view)
+camera = view.GetActiveCamera()
+camera.Zoom(2.2 if os.path.isdir(os.path.join('constant', 'fluid', 'polyMesh')) else 1.2)
 Render(view)
 SaveScreenshot('picture.png', view)

@@ -7,6 +7,7 @@
 #include "feMatrix.H"
 #include "SortableList.H"
 #include <algorithm>
+#include <type_traits>
 
 // * * * * * * * * * * * * * * * elementScatter * * * * * * * * * * * * * * * //
 
@@ -221,46 +222,86 @@ void Foam::feMatrix::add
 {
     const int nLanes = block.nLanes(batch);
     const label n = scatter.n;
-    const int nEntries = dRow*dCol;
-    double entries[9*packSize];
 
-    for (int i = 0; i < nI; ++i)
+    // Lanes with tied unknowns go entry by entry
+    label element[packSize];
+    const label* position[packSize];
+    const label* rowNode[packSize];
+    int lane[packSize], tiedLane[packSize], nFree = 0, nTied = 0;
+    for (int l = 0; l < nLanes; ++l)
     {
-        scalar* row[packSize];
-        label length[packSize];
-        for (int l = 0; l < nLanes; ++l)
+        element[l] = block.lane(batch, l);
+        if (scatter.tied[element[l]])
         {
-            const label I = scatter.rowNodes[block.lane(batch, l)*n + i];
-            const label r = rowStart_[rows_.start(I) + rowCmpt];
-            length[l] = rowStart_[rows_.start(I) + rowCmpt + 1] - r;
-            row[l] = values_.begin() + r + colCmpt;
+            tiedLane[nTied++] = l;
+            continue;
         }
-        for (int j = 0; j < nJ; ++j, K += nEntries)
+        lane[nFree] = l;
+        position[nFree] = &scatter.position[element[l]*n*n];
+        rowNode[nFree++] = &scatter.rowNodes[element[l]*n];
+    }
+
+    // The loops over components have sizes known to the compiler
+    const auto addAs = [&](const auto nRows, const auto nCols)
+    {
+        constexpr int R = nRows(), C = nCols();
+        alignas(64) double entries[R*C*packSize];
+        const pack* Kij = K;
+        for (int i = 0; i < nI; ++i)
         {
-            for (int k = 0; k < nEntries; ++k)
+            scalar* row[packSize];
+            label length[packSize];
+            for (int f = 0; f < nFree; ++f)
             {
-                (scale*K[k]).copy_to(entries + k*packSize, stdx::element_aligned);
+                const label u = rows_.start(rowNode[f][i]) + rowCmpt;
+                length[f] = rowStart_[u + 1] - rowStart_[u];
+                row[f] = values_.begin() + rowStart_[u] + colCmpt;
             }
-            for (int l = 0; l < nLanes; ++l)
+            for (int j = 0; j < nJ; ++j, Kij += R*C)
             {
-                const label e = block.lane(batch, l);
-                if (scatter.tied[e])
+                for (int k = 0; k < R*C; ++k)
                 {
+                    (scale*Kij[k]).copy_to(entries + k*packSize, stdx::vector_aligned);
+                }
+                for (int f = 0; f < nFree; ++f)
+                {
+                    scalar* to = row[f] + position[f][i*n + j];
+                    const double* from = entries + lane[f];
+                    for (int a = 0; a < R; ++a) for (int b = 0; b < C; ++b)
+                    {
+                        to[a*length[f] + b] += from[(a*C + b)*packSize];
+                    }
+                }
+                for (int t = 0; t < nTied; ++t)
+                {
+                    const label e = element[tiedLane[t]];
                     const label u = rows_.start(scatter.rowNodes[e*n + i]) + rowCmpt;
                     const label v = cols_.start(scatter.colNodes[e*n + j]) + colCmpt;
-                    for (int a = 0; a < dRow; ++a) for (int b = 0; b < dCol; ++b)
+                    for (int a = 0; a < R; ++a) for (int b = 0; b < C; ++b)
                     {
-                        addTied(u + a, v + b, entries[(a*dCol + b)*packSize + l]);
+                        addTied(u + a, v + b, entries[(a*C + b)*packSize + tiedLane[t]]);
                     }
-                    continue;
-                }
-                scalar* to = row[l] + scatter.position[(e*n + i)*n + j];
-                for (int a = 0; a < dRow; ++a) for (int b = 0; b < dCol; ++b)
-                {
-                    to[a*length[l] + b] += entries[(a*dCol + b)*packSize + l];
                 }
             }
         }
+    };
+
+    const std::integral_constant<int, 1> one;
+    const std::integral_constant<int, 2> two;
+    const std::integral_constant<int, 3> three;
+    switch (10*dRow + dCol)
+    {
+        case 11: addAs(one, one); break;
+        case 12: addAs(one, two); break;
+        case 13: addAs(one, three); break;
+        case 21: addAs(two, one); break;
+        case 22: addAs(two, two); break;
+        case 31: addAs(three, one); break;
+        case 33: addAs(three, three); break;
+        default:
+            FatalErrorInFunction
+                << "Blocks of " << dRow << " x " << dCol << " components"
+                << abort(FatalError);
     }
 }
 

@@ -16,7 +16,6 @@ Description
 int main(int argc, char* argv[])
 {
     ::testing::InitGoogleTest(&argc, argv);
-    Foam::FatalError.throwExceptions();
     return RUN_ALL_TESTS();
 }
 

@@ -1,0 +1,183 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Application
+    bench-assembly
+
+Description
+    Speed of the flow's assembly, gather and scatter included, for every
+    element family, against what the machine can do: a measured dgemm and a
+    stream triad. Prints a table in Markdown:
+
+        R         residual alone
+        K         residual and the derivatives after velocity and pressure
+        K+S       also those after the mesh's position
+        scatter   share of K that adding to the matrix takes, done alone
+
+    GFLOP/s are of the operations in the source, counted (countedFlops.H).
+    Times are the best of several, as other programs may run.
+
+Usage
+    bench-assembly [seconds per measurement, default 1]
+\*---------------------------------------------------------------------------*/
+
+#include "flowMesh.H"
+#include "countedFlops.H"
+#include <chrono>
+#include <cstdio>
+#include <omp.h>
+
+extern "C" void dgemm_
+(
+    const char*, const char*, const int*, const int*, const int*, const double*,
+    const double*, const int*, const double*, const int*, const double*, double*, const int*
+);
+
+using namespace Foam;
+
+namespace
+{
+
+double seconds = 1;
+
+//- Shortest time of f in some seconds of trials, s
+template<class F>
+double best(const F& f)
+{
+    typedef std::chrono::steady_clock clock;
+    const auto since = [](const clock::time_point t)
+    {
+        return std::chrono::duration<double>(clock::now() - t).count();
+    };
+    f();
+    double shortest = GREAT;
+    const auto start = clock::now();
+    for (int trial = 0; trial < 3 || since(start) < seconds; ++trial)
+    {
+        const auto t = clock::now();
+        f();
+        shortest = std::min(shortest, since(t));
+    }
+    return shortest;
+}
+
+
+//- One core, as OpenBLAS is told by its environment
+void machine()
+{
+    const int n = 768;
+    std::vector<double> A(n*n, 1.0), B(n*n, 2.0), C(n*n, 0.0);
+    const double one = 1, nil = 0;
+    const double t = best([&]()
+    {
+        dgemm_("N", "N", &n, &n, &n, &one, A.data(), &n, B.data(), &n, &nil, C.data(), &n);
+    });
+    std::printf("dgemm: %.1f GFLOP/s on one core. Stream triad:", 2.0*n*n*n/t*1e-9);
+
+    const long m = 8000000;
+    std::vector<double> a(m, 0.0), b(m, 1.0), c(m, 2.0);
+    for (int threads = 1; threads <= 2; ++threads)
+    {
+        omp_set_num_threads(threads);
+        const double s = best([&]()
+        {
+            #pragma omp parallel for schedule(static)
+            for (long i = 0; i < m; ++i) a[i] = b[i] + 3.0*c[i];
+        });
+        std::printf(" %.1f GB/s (%d)", 24.0*m/s*1e-9, threads);
+    }
+    std::printf(".\n\n");
+}
+
+
+//- Adding matrices of all batches, without computing them
+double scatterTime(flowMesh& m, feMatrix& K)
+{
+    const elementBlock& block = m.fe.blocks()[0];
+    const int dim = m.fe.dim(), nV = block.nNodes;
+    int nP = nV;
+    if (!m.k.equalOrder) withElement(block, [&](auto E) { nP = E.nVertices; });
+    const std::vector<pack> values(nV*nV*dim*dim, pack(1e-3));
+    return best([&]()
+    {
+        #pragma omp parallel
+        block.forBatches([&](const label batch)
+        {
+            const pack* k = values.data();
+            K.add(m.scatter[0], block, batch, k, nV, nV, dim, dim, 0, 0, 1);
+            K.add(m.scatter[0], block, batch, k, nV, nP, dim, 1, 0, dim, 1);
+            K.add(m.scatter[0], block, batch, k, nP, nV, 1, dim, dim, 0, 1);
+            K.add(m.scatter[0], block, batch, k, nP, nP, 1, 1, dim, dim, 1);
+        });
+    });
+}
+
+
+template<class V, class P, bool stabilised>
+void bench(const word& cell, const FixedList<label, 3>& n, const double target)
+{
+    const bool plane = V::dim == 2;
+    flowMesh m(cell, n, V::order, plane);
+    m.k.stabilised = stabilised;
+    m.randomise(0);
+    feMatrix K(m.rows, m.rows, nullptr, m.scatter), S(m.rows, m.columns, nullptr, m.shapeScatter);
+    flowMatrices toK;
+    toK.K = &K;
+    toK.scatter = &m.scatter;
+    flowMatrices toBoth(toK);
+    toBoth.S = &S;
+    toBoth.shapeScatter = &m.shapeScatter;
+
+    const kernelFlops flops = kernelFlops::of<V, P, stabilised>();
+    const double work[] =
+        {flops.residual, flops.residual + flops.tangent, flops.residual + flops.tangent + flops.shape};
+    flowMatrices* const to[] = {nullptr, &toK, &toBoth};
+    const label nElements = m.fe.nElements();
+
+    double rate[2][3], scatter = 0;
+    for (int threads = 1; threads <= 2; ++threads)
+    {
+        omp_set_num_threads(threads);
+        for (int i = 0; i < 3; ++i) rate[threads - 1][i] = nElements/best([&]() { m.assemble(to[i]); });
+        if (threads == 1) scatter = scatterTime(m, K)*rate[0][1]/nElements;
+    }
+    std::printf("| %s/%s%s | %d |", V::name, P::name, stabilised ? "" : " none", nElements);
+    for (int i = 0; i < 3; ++i)
+    {
+        std::printf(" %.0f | %.1f |", 1e-3*rate[0][i], rate[0][i]*work[i]*1e-9);
+    }
+    std::printf(" %.0f %% | %.2f | %.2f |", 100*scatter, rate[1][0]/rate[0][0], rate[1][1]/rate[0][1]);
+    if (target > 0) std::printf(" %.0f%s |\n", 1e-3*target, rate[0][1] >= target ? "" : " missed");
+    else std::printf(" |\n");
+    std::fflush(stdout);
+}
+
+} // End anonymous namespace
+
+
+int main(int argc, char* argv[])
+{
+    if (argc > 1) seconds = std::atof(argv[1]);
+    std::printf("Packs of %d elements.\n", packSize);
+    machine();
+    std::printf
+    (
+        "Thousands of elements per second, one thread; x2: gain of two threads\n\n"
+        "| element | number | R | GFLOP/s | K | GFLOP/s | K+S | GFLOP/s | scatter | R x2 | K x2 | target K |\n"
+        "|---|---|---|---|---|---|---|---|---|---|---|---|\n"
+    );
+    bench<Tri1, Tri1, true>("prism", {100, 100, 1}, 0);
+    bench<Quad1, Quad1, true>("hex", {141, 141, 1}, 0);
+    bench<Tri2, Tri1, false>("prism", {100, 100, 1}, 0);
+    bench<Quad2, Quad1, false>("hex", {141, 141, 1}, 5e4);
+    bench<Tet1, Tet1, true>("tet", {12, 12, 12}, 6e5);
+    bench<Hex1, Hex1, true>("hex", {22, 22, 22}, 1e5);
+    bench<Tet2, Tet1, false>("tet", {12, 12, 12}, 0);
+    bench<Hex2, Hex1, false>("hex", {22, 22, 22}, 0);
+    return 0;
+}
+
+
+// ************************************************************************* //
