@@ -17,7 +17,8 @@ Description
         scatter   share of K that adding to the matrix takes, done alone
 
     GFLOP/s are of the operations in the source, counted (countedFlops.H).
-    Times are the best of several, as other programs may run.
+    Times are the best of several, as other programs may run; the gain of two
+    threads wants an idle machine.
 
 Usage
     bench-assembly [seconds per measurement, default 1]
@@ -25,8 +26,10 @@ Usage
 
 #include "flowMesh.H"
 #include "countedFlops.H"
+#include "fileOperation.H"
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <omp.h>
 
 extern "C" void dgemm_
@@ -160,7 +163,10 @@ void bench(const word& cell, const FixedList<label, 3>& n, const double target)
 int main(int argc, char* argv[])
 {
     if (argc > 1) seconds = std::atof(argv[1]);
-    std::printf("Packs of %d elements.\n", packSize);
+    fileHandler();   // says its line before the table
+    double load = 0;
+    getloadavg(&load, 1);
+    std::printf("Packs of %d elements. Load average at the start: %.1f.\n", packSize, load);
     machine();
     std::printf
     (
