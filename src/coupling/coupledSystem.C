@@ -186,12 +186,8 @@ void Foam::coupledSystem::makeConstraints()
     constraints_.reset(new dofConstraints(map_->nUnknowns()));
     for (const feRegion& region : regions_) region.constrain(constraints_());
 
-    scalarField fixed(map_->nUnknowns(), 0);
-    forAll(fixed, u) if (constraints_->isFixed(u)) fixed[u] = 1;
-
-    // A pressure that no element of this rank or another has
-    map_->maximum(fixed);
-    forAll(fixed, u) if (fixed[u] > 0) constraints_->fix(u);
+    // A rank may have one side only of an interface's node
+    constraints_->share(map_());
     constraints_->close();
 
     UPtrList<elementScatter> scatter;

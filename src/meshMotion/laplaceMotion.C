@@ -55,11 +55,8 @@ void Foam::laplaceMotion::constrain
         }
     }
 
-    // Copies of a node on ranks without the patch
-    scalarField fixed(map_->nUnknowns(), 0);
-    forAll(fixed, u) if (constraints_->isFixed(u)) fixed[u] = 1;
-    map_->maximum(fixed);
-    forAll(fixed, u) if (fixed[u] > 0) constraints_->fix(u);
+    // Ranks without the patch have copies of its nodes
+    constraints_->share(map_());
     constraints_->close();
 }
 

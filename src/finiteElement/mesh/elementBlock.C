@@ -19,35 +19,42 @@ const char* Foam::elementName(const elementShape shape)
 
 void Foam::elementBlock::colour(const label nMeshNodes)
 {
-    // Bit c of a node: a batch of colour c has it
-    std::vector<std::uint64_t> used(nMeshNodes, 0);
-    DynamicList<DynamicList<label>> batches;
+    // Some hundred chunks are enough for all threads and colours
+    chunkSize = max(label(1), min(label(16), nBatches()/64));
+    const label nChunks = (nBatches() + chunkSize - 1)/chunkSize;
 
-    for (label batch = 0; batch < nBatches(); ++batch)
+    // Bit c of a node: a chunk of colour c has it
+    std::vector<std::uint64_t> used(nMeshNodes, 0);
+    DynamicList<DynamicList<label>> chunks;
+
+    const auto forNodes = [&](const label chunk, const auto& f)
+    {
+        forBatches(chunk, [&](const label batch)
+        {
+            for (int l = 0; l < nLanes(batch); ++l)
+            {
+                const label* nodes = element(lane(batch, l));
+                for (label i = 0; i < nNodes; ++i) f(used[nodes[i]]);
+            }
+        });
+    };
+    for (label chunk = 0; chunk < nChunks; ++chunk)
     {
         std::uint64_t taken = 0;
-        for (int l = 0; l < nLanes(batch); ++l)
-        {
-            const label* nodes = element(lane(batch, l));
-            for (label i = 0; i < nNodes; ++i) taken |= used[nodes[i]];
-        }
+        forNodes(chunk, [&](std::uint64_t& u) { taken |= u; });
         label c = 0;
         while (c < 63 && (taken >> c & 1)) ++c;
 
-        for (int l = 0; l < nLanes(batch); ++l)
-        {
-            const label* nodes = element(lane(batch, l));
-            for (label i = 0; i < nNodes; ++i) used[nodes[i]] |= std::uint64_t(1) << c;
-        }
-        if (c >= batches.size()) batches.setSize(c + 1);
-        batches[c].append(batch);
+        forNodes(chunk, [&](std::uint64_t& u) { u |= std::uint64_t(1) << c; });
+        if (c >= chunks.size()) chunks.setSize(c + 1);
+        chunks[c].append(chunk);
     }
 
-    // More than 63 colours: the batches of the last are done one by one
+    // More than 63 colours: the chunks of the last are done one by one
     colours.clear();
-    forAll(batches, c)
+    forAll(chunks, c)
     {
-        if (c < 63) colours.append(labelList(batches[c]));
-        else for (const label b : batches[c]) colours.append(labelList(1, b));
+        if (c < 63) colours.append(labelList(chunks[c]));
+        else for (const label k : chunks[c]) colours.append(labelList(1, k));
     }
 }

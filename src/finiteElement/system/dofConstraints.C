@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "dofConstraints.H"
+#include "PstreamReduceOps.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -20,6 +21,46 @@ void Foam::dofConstraints::tie
         terms_.append(DynamicList<term>());
     }
     terms_[row_[unknown]] = masters;
+}
+
+
+void Foam::dofConstraints::share(const nodeMap& map)
+{
+    // Free 0, tied 1, fixed 2: the largest over the copies counts
+    scalarField kind(size());
+    label nWeights = 0;
+    forAll(kind, u) kind[u] = isFixed(u) ? 2 : isTied(u) ? 1 : 0;
+    for (label n = 0; n < map.nNodes(); ++n) nWeights = max(nWeights, map.nUnknowns(n));
+    reduce(nWeights, maxOp<label>());
+    map.maximum(kind);
+
+    // Weight of component c of the node, as far as a rank knows
+    List<scalarField> weight(nWeights, scalarField(size(), -GREAT));
+    for (label n = 0; n < map.nNodes(); ++n)
+    {
+        for (label u = map.start(n); u < map.start(n + 1); ++u)
+        {
+            if (!isTied(u)) continue;
+            for (scalarField& w : weight) w[u] = 0;
+            for (const term& t : masters(u)) weight[t.unknown - map.start(n)][u] = t.weight;
+        }
+    }
+    for (scalarField& w : weight) map.maximum(w);
+
+    for (label n = 0; n < map.nNodes(); ++n)
+    {
+        for (label u = map.start(n); u < map.start(n + 1); ++u)
+        {
+            if (kind[u] == 2) fix(u);
+            if (kind[u] != 1 || isTied(u)) continue;
+            DynamicList<term> row;
+            for (label c = 0; c < map.nUnknowns(n); ++c)
+            {
+                if (weight[c][u] != 0) row.append({map.start(n) + c, weight[c][u]});
+            }
+            tie(u, row);
+        }
+    }
 }
 
 

@@ -222,7 +222,7 @@ TEST(feMesh, allCellsOfSpace)
 }
 
 
-TEST(feMesh, batchesOfAColourShareNoNode)
+TEST(feMesh, chunksOfAColourShareNoNode)
 {
     for (const word cell : {"hex", "prism", "tet", "pyr"}) for (const label order : {1, 2})
     {
@@ -234,17 +234,17 @@ TEST(feMesh, batchesOfAColourShareNoNode)
             labelList visits(block.nBatches(), 0);
             for (const labelList& colour : block.colours)
             {
-                std::vector<label> batchOf(fe.nNodes(), -1);
-                for (const label batch : colour)
+                std::vector<label> ownerOf(fe.nNodes(), -1);
+                for (const label chunk : colour) block.forBatches(chunk, [&](const label batch)
                 {
                     ++visits[batch];
                     for (int l = 0; l < block.nLanes(batch); ++l) for (label i = 0; i < block.nNodes; ++i)
                     {
-                        label& owner = batchOf[block.element(block.lane(batch, l))[i]];
-                        EXPECT_TRUE(owner == -1 || owner == batch);
-                        owner = batch;
+                        label& owner = ownerOf[block.element(block.lane(batch, l))[i]];
+                        EXPECT_TRUE(owner == -1 || owner == chunk);
+                        owner = chunk;
                     }
-                }
+                });
             }
             EXPECT_EQ(min(visits), 1);
             EXPECT_EQ(max(visits), 1);
