@@ -58,6 +58,6 @@ for region in 'fluid', 'solid':
 
 ResetCamera(view)
 camera = view.GetActiveCamera()
-camera.Zoom(3.4 if os.path.isdir(os.path.join('constant', 'fluid', 'polyMesh')) else 1.2)
+camera.Zoom(2.9 if os.path.isdir(os.path.join('constant', 'fluid', 'polyMesh')) else 1.2)
 Render(view)
 SaveScreenshot('picture.png', view)

@@ -1,5 +1,5 @@
 # History of the last seconds; the lines are the reference's mean +- amplitude
-set terminal pngcairo size 700,880
+set terminal pngcairo size 600,760
 set output "turekHronFSI3.png"
 set xlabel "t [s]"
 set xrange [7:8]
