@@ -15,7 +15,7 @@ import os
 
 from paraview.simple import (
     ColorBy, GetActiveViewOrCreate, GetColorTransferFunction, GetScalarBar, OpenFOAMReader, Render,
-    ResetCamera, SaveScreenshot, Show, WarpByVector)
+    ResetCamera, SaveScreenshot, Show, Slice, WarpByVector)
 
 case = os.path.basename(os.getcwd())
 path = os.path.join(os.getcwd(), case + '.foam')
@@ -27,6 +27,16 @@ view.Background = [1, 1, 1]
 view.UseColorPaletteForBackground = 0
 view.OrientationAxesVisibility = 0
 
+def inside(source, time):
+    """The plane at a quarter of the depth: a 3-D case shows its walls else"""
+    source.UpdatePipeline(time)
+    bounds = source.GetDataInformation().GetBounds()
+    plane = Slice(Input=source)
+    plane.SliceType.Normal = [0, 0, 1]
+    plane.SliceType.Origin = [0, 0, bounds[4] + 0.25*(bounds[5] - bounds[4])]
+    return plane
+
+
 for region in 'fluid', 'solid':
     if not os.path.isdir(os.path.join('constant', region, 'polyMesh')):
         continue
@@ -35,10 +45,9 @@ for region in 'fluid', 'solid':
     reader.UpdatePipelineInformation()
     time = max(reader.TimestepValues)
     view.ViewTime = time
-    reader.UpdatePipeline(time)
 
     if region == 'fluid':
-        display = Show(reader, view)
+        display = Show(inside(reader, time), view)
         ColorBy(display, ('POINTS', 'U', 'Magnitude'))
         display.RescaleTransferFunctionToDataRange(True)
         display.SetScalarBarVisibility(view, True)
@@ -49,8 +58,8 @@ for region in 'fluid', 'solid':
     else:
         # The solid's mesh stays where it was: move it by its displacement
         warp = WarpByVector(Input=reader, Vectors=['POINTS', 'D'])
-        warp.UpdatePipeline(time)
-        display = Show(warp, view)
+        warp.ScaleFactor = 1
+        display = Show(inside(warp, time), view)
         ColorBy(display, ('POINTS', 'sigmaEq'))
         display.RescaleTransferFunctionToDataRange(True)
         alone = not os.path.isdir(os.path.join('constant', 'fluid', 'polyMesh'))
