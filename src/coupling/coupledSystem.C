@@ -203,7 +203,7 @@ void Foam::coupledSystem::makeConstraints()
 
 Foam::fileName Foam::coupledSystem::stateFile(const label r) const
 {
-    return runTime_.path()/runTime_.timeName()/regions_[r].name()/"uniform"/"feState";
+    return runTime_.path()/runTime_.timeName()/regions_[r].name()/"restart"/"feState";
 }
 
 

@@ -76,11 +76,18 @@ Foam::nodalProfilePointPatchVectorField::nodalProfilePointPatchVectorField
 )
 :
     fixedValuePointPatchVectorField(p, iF, dict, false),
-    terms_(dict.get<List<Tuple2<vector, vector>>>("terms")),
+    terms_(dict.lookupOrDefault("terms", List<Tuple2<vector, vector>>())),
+    code_(dict, iF.db().time()),
     origin_(dict.lookupOrDefault<point>("origin", Zero)),
     scale_("scale", dict, 1)
 {
     checkExponents(dict);
+    if (terms_.empty() && code_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Profile on patch " << p.name() << " has neither terms nor code;"
+            << " expected one of them at least" << exit(FatalIOError);
+    }
     if (!dict.found("value")) setValues();
 }
 
@@ -95,6 +102,7 @@ Foam::nodalProfilePointPatchVectorField::nodalProfilePointPatchVectorField
 :
     fixedValuePointPatchVectorField(ptf, p, iF, mapper),
     terms_(ptf.terms_),
+    code_(ptf.code_),
     origin_(ptf.origin_),
     scale_(ptf.scale_)
 {}
@@ -108,6 +116,7 @@ Foam::nodalProfilePointPatchVectorField::nodalProfilePointPatchVectorField
 :
     fixedValuePointPatchVectorField(ptf, iF),
     terms_(ptf.terms_),
+    code_(ptf.code_),
     origin_(ptf.origin_),
     scale_(ptf.scale_)
 {}
@@ -123,7 +132,7 @@ Foam::vector Foam::nodalProfilePointPatchVectorField::at
 {
     const vector X = x - origin_;
 
-    vector u = Zero;
+    vector u = code_.empty() ? vector::zero : code_(X, t);
     for (const auto& term : terms_)
     {
         const vector& n = term.second();
@@ -147,7 +156,8 @@ void Foam::nodalProfilePointPatchVectorField::write(Ostream& os) const
     pointPatchVectorField::write(os);
     {
         const fullPrecision exact(os);
-        os.writeEntry("terms", terms_);
+        if (!terms_.empty()) os.writeEntry("terms", terms_);
+        code_.write(os);
         if (origin_ != point::zero) os.writeEntry("origin", origin_);
         scale_.write(os);
     }
