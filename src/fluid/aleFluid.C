@@ -89,7 +89,7 @@ void Foam::aleFluid::readTransport()
             << " pressure. Choose stabilisation metric, or elements taylorHood"
             << exit(FatalIOError);
     }
-    if (!k_.equalOrder) k_.pspg = k_.lsic = 0;
+    if (!k_.equalOrder) k_.pspg = 0;
 }
 
 

@@ -61,6 +61,30 @@ void Foam::laplaceMotion::constrain
 }
 
 
+void Foam::laplaceMotion::decouple()
+{
+    const label dim = fe_.dim();
+    boolList held(fe_.nNodes());
+    bool coupled = false;
+    forAll(held, n)
+    {
+        held[n] = constraints_->isFixed(map_->start(n));
+        for (label a = 0; a < dim; ++a)
+        {
+            const label i = map_->start(n) + a;
+            coupled = coupled || constraints_->isTied(i) || constraints_->isFixed(i) != held[n];
+        }
+    }
+    if (returnReduce(coupled, orOp<bool>())) return;
+
+    nUnknowns_ = 1;
+    nColumns_ = dim;
+    map_.reset(new nodeMap(fe_.key(), labelList(fe_.nNodes(), nUnknowns_)));
+    constraints_.reset(new dofConstraints(map_->nUnknowns()));
+    forAll(held, n) if (held[n]) constraints_->fix(map_->start(n));
+}
+
+
 template<class E>
 void Foam::laplaceMotion::assembleBlock
 (
@@ -76,7 +100,7 @@ void Foam::laplaceMotion::assembleBlock
     {
         feValues<pack, E> w;
         Vec<pack, dim> x[E::nNodes];
-        Ten<pack, dim> K[E::nNodes][E::nNodes];
+        pack K[E::nNodes][E::nNodes];
 
         block.forBatches([&](const label batch)
         {
@@ -84,20 +108,23 @@ void Foam::laplaceMotion::assembleBlock
             pack k;
             for (int l = 0; l < packSize; ++l) k[l] = kappa[block.lane(batch, l)];
 
-            for (auto& row : K) for (auto& Kij : row) Kij = Ten<pack, dim>::zero();
+            for (auto& row : K) for (pack& Kij : row) Kij = 0;
             for (int q = 0; q < w.nQ; ++q)
             {
                 w.reinit(x, q);
                 for (int i = 0; i < E::nNodes; ++i) for (int j = 0; j < E::nNodes; ++j)
                 {
-                    K[i][j].addDiag(k*(w.dN[i] & w.dN[j])*w.dV);
+                    K[i][j] += k*(w.dN[i] & w.dN[j])*w.dV;
                 }
             }
-            K_->add
-            (
-                scatter_[blocki], block, batch, &K[0][0](0, 0),
-                E::nNodes, E::nNodes, dim, dim, 0, 0, 1
-            );
+            for (label a = 0; a < nUnknowns_; ++a)
+            {
+                K_->add
+                (
+                    scatter_[blocki], block, batch, &K[0][0],
+                    E::nNodes, E::nNodes, 1, 1, a, a, 1
+                );
+            }
         });
     }
 }
@@ -135,12 +162,15 @@ Foam::laplaceMotion::laplaceMotion
 )
 :
     fe_(fe),
-    map_(new nodeMap(fe.key(), labelList(fe.nNodes(), fe.dim()))),
-    x_(map_->nUnknowns()),
-    b_(map_->nUnknowns()),
+    nUnknowns_(fe.dim()),
+    nColumns_(1),
+    map_(new nodeMap(fe.key(), labelList(fe.nNodes(), nUnknowns_))),
     solveTime_(0)
 {
     constrain(boundary, heldPatches);
+    decouple();
+    x_.setSize(nColumns_, scalarField(map_->nUnknowns()));
+    b_ = x_;
     assemble(dict);
     factors_.reset(new feFactors(map_(), K_(), solver));
     if (factors_->factorise() != feLinearSolver::outcome::OK)
@@ -158,7 +188,7 @@ Foam::laplaceMotion::laplaceMotion
 bool Foam::laplaceMotion::given(const label node) const
 {
     bool all = true;
-    for (label a = 0; a < fe_.dim(); ++a)
+    for (label a = 0; a < nUnknowns_; ++a)
     {
         all = all && constraints_->isFixed(map_->start(node) + a);
     }
@@ -169,24 +199,31 @@ bool Foam::laplaceMotion::given(const label node) const
 void Foam::laplaceMotion::extend(vectorField& u) const
 {
     const clockValue timer(true);
-    const label dim = fe_.dim();
 
     // K u = 0 with the given part of u on the right
-    forAll(u, n) for (label a = 0; a < dim; ++a)
+    forAll(x_, c)
     {
-        const label i = map_->start(n) + a;
-        x_[i] = constraints_->isFixed(i) ? u[n][fe_.axis(a)] : 0;
+        scalarField& x = x_[c];
+        scalarField& b = b_[c];
+        forAll(u, n) for (label a = 0; a < nUnknowns_; ++a)
+        {
+            const label i = map_->start(n) + a;
+            x[i] = constraints_->isFixed(i) ? u[n][fe_.axis(c + a)] : 0;
+        }
+        K_->multiply(x, b);
+        map_->sum(b);
+        forAll(b, i) b[i] = constraints_->isFree(i) ? -b[i] : 0;
     }
-    K_->multiply(x_, b_);
-    map_->sum(b_);
-    forAll(b_, i) b_[i] = constraints_->isFree(i) ? -b_[i] : 0;
 
     factors_->solve(b_, x_);
-    constraints_->distribute(x_);
-    forAll(u, n) for (label a = 0; a < dim; ++a)
+    forAll(x_, c)
     {
-        const label i = map_->start(n) + a;
-        if (!constraints_->isFixed(i)) u[n][fe_.axis(a)] = x_[i];
+        constraints_->distribute(x_[c]);
+        forAll(u, n) for (label a = 0; a < nUnknowns_; ++a)
+        {
+            const label i = map_->start(n) + a;
+            if (!constraints_->isFixed(i)) u[n][fe_.axis(c + a)] = x_[c][i];
+        }
     }
     solveTime_ += timer.elapsed();
 }

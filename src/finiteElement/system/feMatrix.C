@@ -54,17 +54,11 @@ void Foam::feMatrix::addToGraph
             for (label u = rows_.start(I[i]); u < rows_.start(I[i] + 1); ++u)
             {
                 if (!constraints_->isTied(u)) continue;
-                for (const auto& t : constraints_->masters(u)) all.insert(colNodeOf(t.unknown));
+                for (const auto& t : constraints_->masters(u)) all.insert(colNodeOf_[t.unknown]);
             }
         }
         for (const label i : all) for (const label j : all) graph[i].append(j);
     }
-}
-
-
-Foam::label Foam::feMatrix::colNodeOf(const label col) const
-{
-    return colNodeOf_[col];
 }
 
 

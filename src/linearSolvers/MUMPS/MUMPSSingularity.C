@@ -102,7 +102,7 @@ Foam::label Foam::MUMPSSolver::notFinite
         {
             if (!std::isfinite(f[i]))
             {
-                unknown = numbers[i] - 1;
+                unknown = numbers[i % numbers.size()] - 1;
                 break;
             }
         }
@@ -162,7 +162,7 @@ Foam::label Foam::MUMPSSolver::nullVector(const UList<scalar>& values)
         x[i] = random.GaussNormal<scalar>()/r[owned_[i] - 1];
     }
 
-    if (solveOnly(x) < 0)
+    if (solveOnly(x, 1) < 0)
     {
         return -1;
     }

@@ -75,28 +75,24 @@ void Foam::MUMPSSolver::prepareSolution()
 {
     const label n = max(mumps_->info(23), 1);
 
-    if (Pstream::parRun() && solved_.size() != n)
-    {
-        solved_.setSize(n);
-        solution_.setSize(n);
-    }
+    if (Pstream::parRun()) solved_.setSize(n);
     planned_ = false;
 }
 
 
-int Foam::MUMPSSolver::solveOnly(UList<scalar>& x)
+int Foam::MUMPSSolver::solveOnly(UList<scalar>& x, const label nRhs)
 {
     MUMPSInstance& mumps = *mumps_;
+    mumps->nrhs = nRhs;
 
     if (!Pstream::parRun())
     {
         mumps->rhs = x.data();
-        mumps->nrhs = 1;
-        mumps->lrhs = x.size();
+        mumps->lrhs = owned_.size();
         return mumps.run(MUMPSInstance::SOLVE);
     }
 
-    mumps->nrhs = 1;
+    solution_.setSize(nRhs*solved_.size());
     mumps->nloc_rhs = owned_.size();
     mumps->lrhs_loc = max(owned_.size(), 1);
     mumps->irhs_loc = owned_.data();
@@ -115,7 +111,15 @@ int Foam::MUMPSSolver::solveOnly(UList<scalar>& x)
             transfer_.plan(unknowns_, SubList<int>(solved_, n));
             planned_ = true;
         }
-        transfer_.apply(solution_, x);
+        for (label r = 0; r < nRhs; ++r)
+        {
+            SubList<scalar> column(x, owned_.size(), r*owned_.size());
+            transfer_.apply
+            (
+                SubList<scalar>(solution_, solved_.size(), r*solved_.size()),
+                column
+            );
+        }
     }
 
     return status;
@@ -238,12 +242,16 @@ Foam::feLinearSolver::outcome Foam::MUMPSSolver::factorise
 }
 
 
-Foam::feLinearSolver::outcome Foam::MUMPSSolver::solve(scalarField& x)
+Foam::feLinearSolver::outcome Foam::MUMPSSolver::solve
+(
+    scalarField& x,
+    const label nRhs
+)
 {
     const clockTime timer;
 
     const blasThreads threads(controls_.threads);
-    const int status = solveOnly(x);
+    const int status = solveOnly(x, nRhs);
 
     ++statistics_.nSolutions;
     outcome result = outcomeOf(status);

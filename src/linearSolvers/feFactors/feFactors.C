@@ -17,8 +17,7 @@ Foam::feFactors::feFactors
 :
     map_(map),
     matrix_(matrix),
-    solver_(feLinearSolver::New(dict)),
-    owned_(map.ownedUnknowns().size())
+    solver_(feLinearSolver::New(dict))
 {
     feMatrixPattern pattern;
     pattern.unknowns = map.numbering();
@@ -48,12 +47,29 @@ Foam::feLinearSolver::outcome Foam::feFactors::solve
     scalarField& x
 )
 {
+    UList<scalarField> column(&x, 1);
+    return solve(UList<scalarField>(const_cast<scalarField*>(&b), 1), column);
+}
+
+
+Foam::feLinearSolver::outcome Foam::feFactors::solve
+(
+    const UList<scalarField>& b,
+    UList<scalarField>& x
+)
+{
     const labelList& unknowns = map_.ownedUnknowns();
-    forAll(unknowns, i) owned_[i] = b[unknowns[i]];
-    const feLinearSolver::outcome o = solver_->solve(owned_);
-    x = 0;
-    forAll(unknowns, i) x[unknowns[i]] = owned_[i];
-    map_.fromOwner(x);
+    const label n = unknowns.size();
+
+    owned_.setSize(b.size()*n);
+    forAll(b, r) forAll(unknowns, i) owned_[r*n + i] = b[r][unknowns[i]];
+    const feLinearSolver::outcome o = solver_->solve(owned_, b.size());
+    forAll(x, r)
+    {
+        x[r] = 0;
+        forAll(unknowns, i) x[r][unknowns[i]] = owned_[r*n + i];
+        map_.fromOwner(x[r]);
+    }
     return o;
 }
 

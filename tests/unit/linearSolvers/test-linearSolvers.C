@@ -162,6 +162,30 @@ TEST(MUMPS, randomMatrixAsEigen)
 }
 
 
+// Right-hand sides given together shall be solved as each on its own, before
+// and after a single one
+TEST(MUMPS, severalRightHandSides)
+{
+    const randomSystem system(300);
+    auto solver(newSolver("type MUMPS;"));
+    solver->analyse(system.pattern);
+    ASSERT_EQ(solver->factorise(system.values), outcome::OK);
+
+    const label n = system.b.size();
+    for (const label nRhs : {1, 3, 2, 1})
+    {
+        scalarField x(nRhs*n);
+        for (label r = 0; r < nRhs; ++r) forAll(system.b, i) x[r*n + i] = (r + 1)*system.b[i];
+        ASSERT_EQ(solver->solve(x, nRhs), outcome::OK);
+        for (label r = 0; r < nRhs; ++r)
+        {
+            const scalarField column(SubList<scalar>(x, n, r*n));
+            EXPECT_LT(maxDifference(column, (r + 1)*system.x), 1e-10) << r << " of " << nRhs;
+        }
+    }
+}
+
+
 // The pieces of an entry shall be summed, on a rank and over the ranks
 TEST(MUMPS, duplicatesAreSummed)
 {
