@@ -37,8 +37,23 @@ def inside(source, time):
     return plane
 
 
+def colour(display, field, title, bar):
+    """Colour by a field over its range, with a bar if wanted"""
+    ColorBy(display, field)
+    display.RescaleTransferFunctionToDataRange(True)
+    display.SetScalarBarVisibility(view, bar)
+    bar = GetScalarBar(GetColorTransferFunction(field[1]), view)
+    bar.Title, bar.ComponentTitle = title, ''
+    bar.TitleColor = bar.LabelColor = [0, 0, 0]
+    bar.ScalarBarLength = 0.6
+
+
+def has(region):
+    return os.path.isdir(os.path.join('constant', region, 'polyMesh'))
+
+
 for region in 'fluid', 'solid':
-    if not os.path.isdir(os.path.join('constant', region, 'polyMesh')):
+    if not has(region):
         continue
     reader = OpenFOAMReader(FileName=path)
     reader.MeshRegions = ['/%s/internalMesh' % region]
@@ -48,25 +63,16 @@ for region in 'fluid', 'solid':
 
     if region == 'fluid':
         display = Show(inside(reader, time), view)
-        ColorBy(display, ('POINTS', 'U', 'Magnitude'))
-        display.RescaleTransferFunctionToDataRange(True)
-        display.SetScalarBarVisibility(view, True)
-        bar = GetScalarBar(GetColorTransferFunction('U'), view)
-        bar.Title, bar.ComponentTitle = '|U| [m/s]', ''
-        bar.TitleColor = bar.LabelColor = [0, 0, 0]
-        bar.ScalarBarLength = 0.6
+        colour(display, ('POINTS', 'U', 'Magnitude'), '|U| [m/s]', True)
     else:
         # The solid's mesh stays where it was: move it by its displacement
         warp = WarpByVector(Input=reader, Vectors=['POINTS', 'D'])
         warp.ScaleFactor = 1
         display = Show(inside(warp, time), view)
-        ColorBy(display, ('POINTS', 'sigmaEq'))
-        display.RescaleTransferFunctionToDataRange(True)
-        alone = not os.path.isdir(os.path.join('constant', 'fluid', 'polyMesh'))
-        display.SetScalarBarVisibility(view, alone)
+        colour(display, ('POINTS', 'sigmaEq'), 'sigmaEq [Pa]', not has('fluid'))
 
 ResetCamera(view)
 camera = view.GetActiveCamera()
-camera.Zoom(2.9 if os.path.isdir(os.path.join('constant', 'fluid', 'polyMesh')) else 1.2)
+camera.Zoom(2.9 if has('fluid') else 1.2)
 Render(view)
 SaveScreenshot('picture.png', view)
