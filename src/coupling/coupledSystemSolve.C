@@ -197,7 +197,7 @@ void Foam::coupledSystem::reportSingular(const label unknown) const
     }
     Info<< "The matrix is singular at " << what.c_str() << '.' << nl
         << "A pressure is undetermined where no patch lets the fluid out"
-        << " (openBoundary, or a value of pointP on a patch);" << nl
+        << " (openBoundary, pRefPoint in feSchemes);" << nl
         << "a displacement is where nothing holds the solid." << endl;
 }
 

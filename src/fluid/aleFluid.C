@@ -93,6 +93,45 @@ void Foam::aleFluid::readTransport()
 }
 
 
+void Foam::aleFluid::readPressureReference()
+{
+    pRefNode_ = -1;
+    pRefValue_ = schemes_.lookupOrDefault<scalar>("pRefValue", 0);
+    if (!schemes_.found("pRefPoint")) return;
+
+    for (const pointPatchVectorField& patch : pointU_().boundaryField())
+    {
+        if (patch.type() != "openBoundary") continue;
+        FatalIOErrorInFunction(schemes_)
+            << "Found pRefPoint, but patch " << patch.patch().name()
+            << " lets the fluid out (openBoundary), which gives the pressure"
+            << " its level. Remove pRefPoint" << exit(FatalIOError);
+    }
+
+    const pointField& points = fe().points();
+    scalar distance;
+    const auto findNearest = [&](const point& x)
+    {
+        distance = GREAT;
+        for (label n = 0; n < fe().nVertices(); ++n)
+        {
+            if (mag(points[n] - x) >= distance) continue;
+            distance = mag(points[n] - x);
+            pRefNode_ = n;
+        }
+    };
+
+    // The vertex of the first rank that has a nearest one, and its copies
+    findNearest(schemes_.get<point>("pRefPoint"));
+    label owner = distance > returnReduce(distance, minOp<scalar>()) ? labelMax : Pstream::myProcNo();
+    reduce(owner, minOp<label>());
+    point at = owner == Pstream::myProcNo() ? points[pRefNode_] : point::max;
+    reduce(at, minOp<point>());
+    findNearest(at);
+    if (distance > 1e-9*mesh_.bounds().mag()) pRefNode_ = -1;
+}
+
+
 void Foam::aleFluid::readMotion()
 {
     IOdictionary dict
@@ -211,6 +250,7 @@ Foam::aleFluid::aleFluid(fvMesh& mesh)
 {
     k_.g = g_.value();
     readTransport();
+    readPressureReference();
     readMotion();
     initialise();
 }
@@ -280,6 +320,7 @@ void Foam::aleFluid::constrain(dofConstraints& c) const
     const nodalBoundary boundary(fe());
     boundary.constrain(pointU_(), systemNode_, *map_, c);
     boundary.constrain(pointP_(), systemNode_, *map_, fe().dim(), c);
+    if (pRefNode_ != -1) c.fix(map_->start(systemNode_[pRefNode_]) + fe().dim());
 }
 
 
@@ -301,6 +342,7 @@ void Foam::aleFluid::predict(const scalar time)
         pointP_(), time, systemNode_, *map_,
         [&](const label n, const scalar p) { q_.set(ts, n, p); }
     );
+    if (pRefNode_ != -1) q_.set(ts, pRefNode_, pRefValue_);
     if (pointDisplacement_.valid())
     {
         boundary.forValues

@@ -22,7 +22,6 @@ path = os.path.join(os.getcwd(), case + '.foam')
 open(path, 'a').close()
 
 view = GetActiveViewOrCreate('RenderView')
-view.ViewSize = [1000, 260]
 view.Background = [1, 1, 1]
 view.UseColorPaletteForBackground = 0
 view.OrientationAxesVisibility = 0
@@ -42,6 +41,8 @@ def colour(display, field, title, bar):
     ColorBy(display, field)
     display.RescaleTransferFunctionToDataRange(True)
     display.SetScalarBarVisibility(view, bar)
+    if not bar:
+        return
     bar = GetScalarBar(GetColorTransferFunction(field[1]), view)
     bar.Title, bar.ComponentTitle = title, ''
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
@@ -52,6 +53,7 @@ def has(region):
     return os.path.isdir(os.path.join('constant', region, 'polyMesh'))
 
 
+planes = []
 for region in 'fluid', 'solid':
     if not has(region):
         continue
@@ -62,17 +64,30 @@ for region in 'fluid', 'solid':
     view.ViewTime = time
 
     if region == 'fluid':
-        display = Show(inside(reader, time), view)
+        planes.append(inside(reader, time))
+        display = Show(planes[-1], view)
         colour(display, ('POINTS', 'U', 'Magnitude'), '|U| [m/s]', True)
     else:
         # The solid's mesh stays where it was: move it by its displacement
         warp = WarpByVector(Input=reader, Vectors=['POINTS', 'D'])
         warp.ScaleFactor = 1
-        display = Show(inside(warp, time), view)
+        planes.append(inside(warp, time))
+        display = Show(planes[-1], view)
         colour(display, ('POINTS', 'sigmaEq'), 'sigmaEq [Pa]', not has('fluid'))
 
+# The larger of the regions fills the height, or the width left of the bar
+for plane in planes:
+    plane.UpdatePipeline(time)
+xMin, xMax, yMin, yMax, z, _ = max((plane.GetDataInformation().GetBounds() for plane in planes),
+    key=lambda bounds: bounds[1] - bounds[0])
+width, height = xMax - xMin, yMax - yMin
+view.ViewSize = [1000, int(min(max(800*height/width*1.3, 260), 500))]
+scale = max(1.1*height/view.ViewSize[1], width/0.8/view.ViewSize[0])    # m a pixel
+centre = [0.5*(xMin + xMax) + 60*scale, 0.5*(yMin + yMax), z]
 ResetCamera(view)
-camera = view.GetActiveCamera()
-camera.Zoom(2.9 if has('fluid') else 1.2)
+view.CameraParallelProjection = 1
+view.CameraFocalPoint = centre
+view.CameraPosition = centre[:2] + [z + 10*width]
+view.CameraParallelScale = 0.5*scale*view.ViewSize[1]
 Render(view)
 SaveScreenshot('picture.png', view)
