@@ -357,10 +357,16 @@ void Foam::coupledSystem::reportTimes()
 void Foam::coupledSystem::summary() const
 {
     times_.summary(Info);
-    const auto& stats = factors_->solver().stats();
-    Info<< "Factors: " << stats.nNonzeros << " entries, " << stats.memory
-        << " MB; last factorisation " << stats.factorTime << " s, solution "
-        << stats.solveTime << " s" << nl << endl;
+    Info<< "Factors: " << factors_->solver().stats() << nl;
+    for (const feRegion& region : regions_)
+    {
+        if (const feLinearSolver* motion = region.motionSolver())
+        {
+            Info<< "Factors of the mesh motion of " << region.name() << ": "
+                << motion->stats() << nl;
+        }
+    }
+    Info<< endl;
 }
 
 
