@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "matchingInterface.H"
+#include "nodalBoundary.H"
 #include "indexedOctree.H"
 #include "treeDataPoint.H"
 #include "ListListOps.H"
@@ -57,6 +58,19 @@ void Foam::matchingInterface::fail
         << "Largest gap " << largest << " m at " << where << '.' << nl
         << "Both meshes need the same points on the interface, and elements of"
         << " the same order." << exit(FatalIOError);
+}
+
+
+void Foam::matchingInterface::checkFree(const feRegion& region, const label patchi) const
+{
+    const pointVectorField& field = region.motionConditions();
+    const pointPatchVectorField& patch = field.boundaryField()[patchi];
+    if (!nodalBoundary::constrains(patch)) return;
+    FatalIOErrorInFunction(dict_)
+        << "Patch " << patch.patch().name() << " of " << field.objectPath()
+        << " is of type " << patch.type() << ", but on interface " << name_
+        << " fluid and solid move together as they will."
+        << " Expected type calculated" << exit(FatalIOError);
 }
 
 
@@ -168,6 +182,9 @@ void Foam::matchingInterface::match
     Pstream::gatherList(places);
     Pstream::scatterList(places);
     fail(gaps, places);
+
+    checkFree(fluid_, fluidPatch_);
+    checkFree(solid_, solidPatch_);
 }
 
 

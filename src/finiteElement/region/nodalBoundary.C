@@ -12,7 +12,7 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::nodalBoundary::isSlip(const word& type) const
+bool Foam::nodalBoundary::isSlip(const word& type)
 {
     return type == "slip" || type == "symmetry" || type == "symmetryPlane";
 }
