@@ -75,13 +75,13 @@ for region in 'fluid', 'solid':
         display = Show(planes[-1], view)
         colour(display, ('POINTS', 'sigmaEq'), 'sigmaEq [Pa]', not has('fluid'))
 
-# The larger of the regions fills the height, or the width left of the bar
+# The regions fill the height, or the width left of the bar
 for plane in planes:
     plane.UpdatePipeline(time)
-xMin, xMax, yMin, yMax, z, _ = max((plane.GetDataInformation().GetBounds() for plane in planes),
-    key=lambda bounds: bounds[1] - bounds[0])
+bounds = list(zip(*(plane.GetDataInformation().GetBounds() for plane in planes)))
+xMin, xMax, yMin, yMax, z = (choose(b) for choose, b in zip((min, max, min, max, min), bounds))
 width, height = xMax - xMin, yMax - yMin
-view.ViewSize = [1000, int(min(max(800*height/width*1.3, 260), 500))]
+view.ViewSize = [1000, int(min(max(800*height/width*1.3, 260), 440))]
 scale = max(1.1*height/view.ViewSize[1], width/0.8/view.ViewSize[0])    # m a pixel
 centre = [0.5*(xMin + xMax) + 60*scale, 0.5*(yMin + yMax), z]
 ResetCamera(view)
