@@ -13,7 +13,7 @@ Foam::newtonControl::newtonControl(const dictionary& dict)
     tolerance_(dict.lookupOrDefault<scalar>("tolerance", 1e-8)),
     maxIter_(dict.lookupOrDefault<label>("maxIter", 20)),
     relaxation_(dict.lookupOrDefault<scalar>("relaxation", 1)),
-    linearTolerance_(dict.lookupOrDefault<scalar>("linearTolerance", 1e-2)),
+    linearTolerance_(dict.lookupOrDefault<scalar>("linearTolerance", 1e-3)),
     iteration_(-1),
     norm_(GREAT),
     firstNorm_(GREAT),
