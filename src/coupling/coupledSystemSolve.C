@@ -9,248 +9,110 @@ Description
 
 #include "coupledSystem.H"
 #include "trapsOff.H"
-#include <limits>
+#include "clockValue.H"
+#include "fourDigits.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::coupledSystem::follow()
 {
     if (interfaces_.empty()) return;
-    const label dim = regions_[0].fe().dim();
-
-    for (vectorField motionField::*part : {&motionField::D, &motionField::v, &motionField::a})
-    {
-        // Each copy of a solid node brings its share
-        y_ = 0;
-        for (const matchingInterface& i : interfaces_)
-        {
-            const vectorField& value = i.solid().interfaceMotion()->*part;
-            for (const label n : i.solidNodes())
-            {
-                const label start = map_->start(i.solid().systemNode()[n]);
-                for (label a = 0; a < dim; ++a)
-                {
-                    y_[start + a] = value[n][i.solid().fe().axis(a)]/copies_[start];
-                }
-            }
-        }
-        map_->sum(y_);
-        for (const matchingInterface& i : interfaces_)
-        {
-            vectorField& value = i.fluid().interfaceFollower()->*part;
-            for (const label n : i.fluidNodes())
-            {
-                const label start = map_->start(i.fluid().systemNode()[n]);
-                for (label a = 0; a < dim; ++a) value[n][i.fluid().fe().axis(a)] = y_[start + a];
-            }
-        }
-    }
+    for (feInterface& i : interfaces_) i.follow();
 
     systemTimes::timer timer(times_, systemTimes::MESH_MOTION);
-    for (feRegion& region : regions_) region.interfaceMoved();
+    for (feRegion& region : regions_) region.followed();
+}
+
+
+void Foam::coupledSystem::followAtStart()
+{
+    if (interfaces_.empty()) return;
+    for (feInterface& i : interfaces_) i.follow();
+    for (feRegion& region : regions_) region.followedAtStart();
 }
 
 
 void Foam::coupledSystem::assemble(const bool tangent)
 {
     systemTimes::timer timer(times_, systemTimes::ASSEMBLY);
-    if (tangent) K_->clear();
-    assembled_ = assembled_ || tangent;
+    if (tangent) tangent_->K().clear();
     R_ = 0;
-    for (feRegion& region : regions_) region.assemble(R_, tangent ? K_.get() : nullptr);
+    for (feRegion& region : regions_) region.assemble(R_, tangent ? &tangent_->K() : nullptr);
 
-    b_ = R_;
-    map_->sum(b_);
-    constraints_->condense(R_);
-    map_->sum(R_);
-    computeNorms(b_);
-}
-
-
-void Foam::coupledSystem::computeNorms(const scalarField& raw)
-{
-    scalarField free(norms_.size(), 0), reaction(norms_.size(), 0);
-    for (const label u : map_->ownedUnknowns())
-    {
-        (constraints_->isFree(u) ? free : reaction)[block_[u]] +=
-            constraints_->isFree(u) ? sqr(R_[u]) : sqr(raw[u]);
-    }
-    Pstream::listCombineGather(free, plusEqOp<scalar>());
-    Pstream::listCombineScatter(free);
-    Pstream::listCombineGather(reaction, plusEqOp<scalar>());
-    Pstream::listCombineScatter(reaction);
-
-    const bool first = newton_.nIterations() < 0;
-    if (first) roundOff_ = roundOff();
-    forAll(norms_, b)
-    {
-        norms_[b] = ::sqrt(free[b]);
-        if (first) firstNorms_[b] = norms_[b];
-        scales_[b] = max(firstNorms_[b], ::sqrt(reaction[b]));
-        scales_[b] = max(scales_[b], roundOff_[b]/newton_.tolerance());
-    }
-
-    // Flux of the velocity through a face of an element of mean size
-    forAll(norms_, b)
-    {
-        if (b > 0 && blockRegion_[b] == blockRegion_[b - 1])
-        {
-            scales_[b] = regions_[blockRegion_[b]].fluxScale();
-        }
-        if (scales_[b] <= 0) scales_[b] = 1;
-    }
-    forAll(rowScale_, u) rowScale_[u] = 1/scales_[block_[u]];
-}
-
-
-Foam::scalarField Foam::coupledSystem::roundOff() const
-{
-    scalarField stiffness(norms_.size(), 0);
-    for (const label u : map_->ownedUnknowns()) stiffness[block_[u]] += sqr(K_->diagonal(u));
-    Pstream::listCombineGather(stiffness, plusEqOp<scalar>());
-    Pstream::listCombineScatter(stiffness);
-
-    forAll(stiffness, b)
-    {
-        feRegion& region = const_cast<feRegion&>(regions_[blockRegion_[b]]);
-        const scalar size =
-            region.interfaceMotion()
-          ? elementSize_[blockRegion_[b]]/region.timeScheme().displacementByUnknown()
-          : region.velocityScale();
-        stiffness[b] = 10*std::numeric_limits<scalar>::epsilon()*size*::sqrt(stiffness[b]);
-    }
-    return stiffness;
+    raw_ = R_;
+    map().sum(raw_);
+    constraints().condense(R_);
+    map().sum(R_);
+    norms_->update(R_, raw_, tangent_->K(), newton_.nIterations() < 0);
 }
 
 
 void Foam::coupledSystem::apply(const scalarField& x, scalarField& y)
 {
-    K_->multiply(x, y);
+    tangent_->K().multiply(x, y);
     scalar motionTime = 0;
     bool moves = false;
     for (feRegion& region : regions_)
     {
         if (!region.hasMotionTangent()) continue;
-        motionTime -= region.motionTime();
-        region.addMotionTangent(x, y);
-        motionTime += region.motionTime();
+        const clockValue start(true);
+        region.extendIncrement(x);
+        motionTime += start.elapsed();
+        region.addMotionTangent(y);
         moves = true;
     }
     times_.move(systemTimes::SOLVE, systemTimes::MESH_MOTION, motionTime);
 
     // The rows of K are condensed already; those of the mesh's motion are not
-    if (moves) constraints_->condense(y);
-    map_->sum(y);
-    forAll(y, u) if (!constraints_->isFree(u)) y[u] = 0;
+    if (moves) constraints().condense(y);
+    map().sum(y);
+    forAll(y, u) if (!constraints().isFree(u)) y[u] = 0;
 }
 
 
-bool Foam::coupledSystem::factorise()
+void Foam::coupledSystem::reportSingular() const
 {
-    systemTimes::timer timer(times_, systemTimes::FACTORISATION);
-    const auto outcome = factors_->factorise();
-    if (outcome != feLinearSolver::outcome::OK)
+    label block;
+    const string what(unknowns_->describe(tangent_->solver().singularUnknown(), block));
+    Info<< "The matrix is singular at " << what.c_str() << '.' << nl;
+    forAll(unknowns_->blocks(), b)
     {
-        reportSingular(factors_->solver().singularUnknown());
-        return false;
+        if (block >= 0 && block != b) continue;
+        const systemUnknowns::block& at = unknowns_->blocks()[b];
+        Info<< regions_[at.region].singularAdvice(at.field).c_str() << '.' << nl;
     }
-    // Operations of a factorisation, done at some ten times the rate of a
-    // back-substitution's, which touches each entry of the factors once
-    const auto& stats = factors_->solver().stats();
-    makingCost_ = stats.nFlops/(20*max(stats.nNonzeros, 1.0));
-    factorCost_ = makingCost_;
-    factorUses_ = 0;
-    factorised_ = true;
-    ++times_.nFactorisations;
-    return true;
-}
-
-
-void Foam::coupledSystem::reportSingular(const label unknown) const
-{
-    label owner = -1;
-    if (unknown >= 0) owner = map_->numbering().whichProcID(unknown);
-
-    string what("an unknown that could not be found");
-    if (owner == Pstream::myProcNo())
-    {
-        forAll(regions_, r) forAll(regions_[r].systemNode(), n)
-        {
-            const label start = map_->start(regions_[r].systemNode()[n]);
-            for (label c = 0; c < regions_[r].nUnknowns(n); ++c)
-            {
-                if (map_->global(start + c) != unknown) continue;
-                OStringStream os;
-                os  << regions_[r].unknownName(c) << " of region " << regions_[r].name()
-                    << " at " << regions_[r].fe().points()[n];
-                what = os.str();
-            }
-        }
-    }
-    if (owner >= 0)
-    {
-        List<string> all(Pstream::nProcs());
-        all[Pstream::myProcNo()] = what;
-        Pstream::gatherList(all);
-        Pstream::scatterList(all);
-        what = all[owner];
-    }
-    Info<< "The matrix is singular at " << what.c_str() << '.' << nl
-        << "A pressure is undetermined where no patch lets the fluid out"
-        << " (openBoundary, pRefPoint in feSchemes);" << nl
-        << "a displacement is where nothing holds the solid." << endl;
-}
-
-
-Foam::label Foam::coupledSystem::solveOnce(const label limit)
-{
-    systemTimes::timer timer(times_, systemTimes::SOLVE);
-    forAll(b_, u) b_[u] = -R_[u]*rowScale_[u];
-
-    const auto A = [&](const scalarField& x, scalarField& y)
-    {
-        apply(x, y);
-        y *= rowScale_;
-    };
-    const auto Minv = [&](const scalarField& y, scalarField& x)
-    {
-        y_ = y/rowScale_;
-        factors_->solve(y_, x);
-        constraints_->distribute(x);
-    };
-    return gmres_->solve(A, Minv, b_, dx_, newton_.linearTolerance(), limit);
+    Info<< flush;
 }
 
 
 bool Foam::coupledSystem::solve()
 {
-    bool fresh = false;
-    if (!factorised_)
+    const label before = tangent_->nFactorisations();
+    const auto outcome = tangent_->solve
+    (
+        [&](const scalarField& x, scalarField& y) { apply(x, y); },
+        R_, norms_->rowScale(), newton_.linearTolerance(), dx_, times_
+    );
+    if (tangent_->nFactorisations() != before) factorsAt_ = std::make_shared<moment>(now());
+
+    switch (outcome)
     {
-        if (!factorise()) { newton_.fail(feRegion::SINGULAR); return false; }
-        fresh = true;
+        case tangentSolver::outcome::OK:
+            break;
+        case tangentSolver::outcome::SINGULAR:
+            reportSingular();
+            newton_.fail(newtonControl::SINGULAR);
+            return false;
+        case tangentSolver::outcome::OUT_OF_MEMORY:
+            newton_.fail(newtonControl::OUT_OF_MEMORY);
+            return false;
+        case tangentSolver::outcome::FAILED:
+            newton_.fail(newtonControl::LINEAR_SOLVER);
+            return false;
+        case tangentSolver::outcome::STALLED:
+            newton_.fail(newtonControl::DIVERGED);
+            break;
     }
-
-    // With old factors no more iterations than new ones would cost
-    const label most = gmres_->maxIter();
-    label limit = fresh ? most : min(most, label(10 + makingCost_));
-    label n = solveOnce(limit);
-    if (n > limit && !fresh)
-    {
-        if (!factorise()) { newton_.fail(feRegion::SINGULAR); return false; }
-        limit = most;
-        n = solveOnce(limit);
-    }
-    if (n > limit) newton_.fail(feRegion::DIVERGED);
-
-    // Renew the factors when a solution with them costs more than the average
-    // of all since they were made, their making included
-    factorCost_ += n;
-    ++factorUses_;
-    if (factorUses_ > 1 && n > factorCost_/factorUses_) factorised_ = false;
-
-    nLinear_ = n;
-    times_.nLinear += n;
     return true;
 }
 
@@ -263,13 +125,30 @@ void Foam::coupledSystem::update()
 }
 
 
+Foam::scalar Foam::coupledSystem::minDetJ() const
+{
+    scalar detJ = GREAT;
+    for (const feRegion& region : regions_) detJ = min(detJ, region.minDetJ());
+    return returnReduce(detJ, minOp<scalar>());
+}
+
+
+bool Foam::coupledSystem::regionsOk() const
+{
+    bool ok = true;
+    for (const feRegion& region : regions_) ok = ok && region.ok();
+    return returnReduce(ok, andOp<bool>());
+}
+
+
 void Foam::coupledSystem::logIteration(const label nLinear) const
 {
     Info<< "  Newton " << newton_.nIterations() << ':';
-    forAll(norms_, b) Info<< ' ' << blockNames_[b] << ' ' << norms_[b]/scales_[b];
-    scalar detJ = GREAT;
-    for (const feRegion& region : regions_) detJ = min(detJ, region.minDetJ());
-    Info<< ", min det J " << returnReduce(detJ, minOp<scalar>());
+    for (label b = 0; b < norms_->nBlocks(); ++b)
+    {
+        Info<< ' ' << unknowns_->blocks()[b].name << ' ' << fourDigits(norms_->scaled(b));
+    }
+    Info<< ", min det J " << fourDigits(newton_.minDetJ());
     if (nLinear >= 0) Info<< ", linear iterations " << nLinear;
     Info<< nl;
 }
@@ -289,45 +168,53 @@ bool Foam::coupledSystem::step()
     follow();
 
     newton_.start();
-    nLinear_ = -1;
+    label nLinear = -1;
     while (true)
     {
-        // The tangent only when it is wanted: the residual is much cheaper
-        assemble(!assembled_);
-        scalar detJ = GREAT;
-        for (const feRegion& region : regions_) detJ = min(detJ, region.minDetJ());
-
-        // What is not a number must not get lost in a maximum
-        scalar norm = 0;
-        forAll(norms_, b)
-        {
-            const scalar r = norms_[b]/scales_[b];
-            norm = std::isfinite(r) ? max(norm, r) : r;
-            if (!std::isfinite(r)) break;
-        }
-        const bool more = newton_.loop(norm, returnReduce(detJ, minOp<scalar>()));
-        logIteration(nLinear_);
+        // The first tangent is always wanted, a later one perhaps, and the residual
+        // alone is much cheaper
+        const bool first = newton_.nIterations() < 0;
+        assemble(first);
+        if (!regionsOk()) newton_.fail(newtonControl::LINEAR_SOLVER);
+        const bool more = newton_.loop(norms_->largest(), norms_->isNil(), minDetJ());
+        logIteration(nLinear);
         if (!more) break;
-        assemble(true);
+        if (!first) assemble(true);
         if (!solve()) break;
+        nLinear = tangent_->nIterations();
         update();
     }
 
     times_.nIterations += newton_.nIterations();
-    forAll(norms_, b)
+    for (label b = 0; b < norms_->nBlocks(); ++b)
     {
-        Info<< "monolithic:  Solving for " << blockNames_[b]
-            << ", Initial residual = " << firstNorms_[b]/scales_[b]
-            << ", Final residual = " << norms_[b]/scales_[b]
+        Info<< "monolithic:  Solving for " << unknowns_->blocks()[b].name
+            << ", Initial residual = " << fourDigits(norms_->firstScaled(b))
+            << ", Final residual = " << fourDigits(norms_->scaled(b))
             << ", No Iterations " << newton_.nIterations() << nl;
     }
     return newton_.ok();
 }
 
 
-void Foam::coupledSystem::tangentAction(const scalarField& dx, scalarField& y)
+Foam::string Foam::coupledSystem::reasonOfFailure() const
 {
-    apply(dx, y);
+    OStringStream os;
+    if (newton_.outcome() == newtonControl::INVERTED_ELEMENT)
+    {
+        for (const feRegion& region : regions_)
+        {
+            if (returnReduce(region.minDetJ(), minOp<scalar>()) > 0) continue;
+            os << "Region " << region.name() << ": " << region.worstElement().c_str() << nl;
+        }
+    }
+    else if (newton_.outcome() == newtonControl::DIVERGED || newton_.outcome() == newtonControl::MAX_ITERATIONS)
+    {
+        label block;
+        os  << "The residual is worst at "
+            << unknowns_->describe(norms_->worst(R_), block).c_str() << nl;
+    }
+    return os.str();
 }
 
 

@@ -5,72 +5,59 @@
 \*---------------------------------------------------------------------------*/
 
 #include "matchingInterface.H"
-#include "nodalBoundary.H"
+#include "addToRunTimeSelectionTable.H"
+#include "gatherAll.H"
+#include "unknownEntries.H"
 #include "indexedOctree.H"
 #include "treeDataPoint.H"
-#include "ListListOps.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-Foam::feRegion& Foam::matchingInterface::region
-(
-    const dictionary& dict,
-    const PtrList<feRegion>& regions
-)
+namespace Foam
 {
-    const word name(dict.get<word>("region"));
-    wordList names(regions.size());
-    forAll(regions, i)
-    {
-        names[i] = regions[i].name();
-        if (names[i] == name) return const_cast<feRegion&>(regions[i]);
-    }
-    FatalIOErrorInFunction(dict)
-        << "There is no region '" << name << "' with a region solver. Regions: "
-        << names << exit(FatalIOError);
-    return const_cast<feRegion&>(regions[0]);
+    defineTypeNameAndDebug(matchingInterface, 0);
+    addToRunTimeSelectionTable(feInterface, matchingInterface, dictionary);
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
 void Foam::matchingInterface::fail
 (
-    const List<scalarList>& gaps,
-    const List<pointField>& places
+    const UList<scalar>& gaps,
+    const UList<point>& places
 ) const
 {
-    label n = 0;
-    scalar largest = 0;
-    point where = Zero;
-    forAll(gaps, rank) forAll(gaps[rank], i)
-    {
-        ++n;
-        if (gaps[rank][i] < largest) continue;
-        largest = gaps[rank][i];
-        where = places[rank][i];
-    }
-    if (!n) return;
-    FatalIOErrorInFunction(dict_)
-        << "Interface " << name_ << " does not match: " << n
-        << " nodes of patch " << fluid_.mesh().boundaryMesh()[fluidPatch_].name()
-        << " (region " << fluid_.name() << ") and patch "
-        << solid_.mesh().boundaryMesh()[solidPatch_].name()
-        << " (region " << solid_.name() << ") have no partner." << nl
-        << "Largest gap " << largest << " m at " << where << '.' << nl
+    if (gaps.empty()) return;
+    label worst = 0;
+    forAll(gaps, i) if (gaps[i] > gaps[worst]) worst = i;
+    FatalIOErrorInFunction(dict())
+        << "Interface " << name() << " does not match: " << gaps.size()
+        << " nodes of patch " << fluid().mesh().boundaryMesh()[fluidPatches()[0]].name()
+        << " (region " << fluid().name() << ") and patch "
+        << solid().mesh().boundaryMesh()[solidPatches()[0]].name()
+        << " (region " << solid().name() << ") have no partner." << nl
+        << "Largest gap " << gaps[worst] << " m at " << places[worst] << '.' << nl
         << "Both meshes need the same points on the interface, and elements of"
         << " the same order." << exit(FatalIOError);
 }
 
 
-void Foam::matchingInterface::checkFree(const feRegion& region, const label patchi) const
+template<class F, class G>
+void Foam::matchingInterface::handOver(const F& f, const G& put) const
 {
-    const pointVectorField& field = region.motionConditions();
-    const pointPatchVectorField& patch = field.boundaryField()[patchi];
-    if (!nodalBoundary::constrains(patch)) return;
-    FatalIOErrorInFunction(dict_)
-        << "Patch " << patch.patch().name() << " of " << field.objectPath()
-        << " is of type " << patch.type() << ", but on interface " << name_
-        << " fluid and solid move together as they will."
-        << " Expected type calculated" << exit(FatalIOError);
+    const fieldUnknowns &from = solid().unknowns(), &to = fluid().unknowns();
+    scalarField y(from.map().nUnknowns(), 0);
+    const labelList nodes(solidNodes());
+    forAll(nodes, i)
+    {
+        if (!speaks_[i]) continue;
+        const vector value(f(nodes[i]));
+        from.forCmpts(0, nodes[i], [&](const label c, const label u) { y[u] = value[c]; });
+    }
+    from.map().sum(y);
+    const labelList followers(fluidNodes());
+    forAll(followers, i) put(i, followers[i], to.at(0, followers[i], y));
 }
 
 
@@ -80,111 +67,123 @@ Foam::matchingInterface::matchingInterface
 (
     const word& name,
     const dictionary& dict,
-    const PtrList<feRegion>& regions
+    PtrList<feRegion>& regions
 )
 :
-    name_(name),
-    dict_(dict),
-    fluid_(region(dict.subDict("fluid"), regions)),
-    solid_(region(dict.subDict("solid"), regions)),
-    fluidPatch_(fluid_.fe().patchIndex(dict.subDict("fluid").get<word>("patch"), dict.subDict("fluid"))),
-    solidPatch_(solid_.fe().patchIndex(dict.subDict("solid").get<word>("patch"), dict.subDict("solid")))
+    feInterface(name, dict, regions)
 {
-    if (!fluid_.interfaceFollower() || !solid_.interfaceMotion())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Interface " << name << " joins region " << fluid_.name()
-            << " of type " << fluid_.type() << " as fluid and region "
-            << solid_.name() << " of type " << solid_.type() << " as solid;"
-            << " expected a fluid and a solid" << exit(FatalIOError);
-    }
-    if (!(fluid_.timeScheme() == solid_.timeScheme()))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Regions " << fluid_.name() << " and " << solid_.name()
-            << " have different time schemes; unknowns are shared, so the"
-            << " entries timeScheme of their feSchemes must be the same"
-            << exit(FatalIOError);
-    }
+    reportUnknownEntries(dict, {"type", "fluid", "solid", "tolerance"});
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::matchingInterface::match
+Foam::List<Foam::labelPair> Foam::matchingInterface::joined
 (
     const labelUList& solidKey,
-    labelList& fluidKey
+    const labelUList& fluidKey
 ) const
 {
-    const label me = Pstream::myProcNo();
-    List<pointField> points(Pstream::nProcs());
-    List<labelList> keys(Pstream::nProcs());
-    points[me] = pointField(solid_.fe().points(), solidNodes());
-    keys[me] = UIndirectList<label>(solidKey, solidNodes())();
-    Pstream::gatherList(points);
-    Pstream::scatterList(points);
-    Pstream::gatherList(keys);
-    Pstream::scatterList(keys);
-    const pointField all(ListListOps::combine<pointField>(points, accessOp<pointField>()));
-    const labelList allKeys(ListListOps::combine<labelList>(keys, accessOp<labelList>()));
-
-    List<scalarList> gaps(Pstream::nProcs());
-    List<pointField> places(Pstream::nProcs());
-    const vectorField& X = fluid_.fe().points();
+    const feMesh &fluidMesh = fluid().fe(), &solidMesh = solid().fe();
+    const labelList fluidN(fluidNodes()), solidN(solidNodes());
 
     // In 2-D the meshes may lie at different depths
-    const label depth = fluid_.fe().dim() == 2 ? fluid_.fe().axis(2) : -1;
+    const label depth = fluidMesh.dim() == 2 ? fluidMesh.axis(2) : -1;
     const auto flat = [&](point p) { if (depth >= 0) p[depth] = 0; return p; };
 
-    pointField flatAll(all);
-    for (point& p : flatAll) p = flat(p);
-    treeBoundBox bb(flatAll);
-    const scalar tolerance = dict_.lookupOrDefault<scalar>("tolerance", 1e-6)*bb.mag();
+    pointField all(gatherAll<point>(pointField(solidMesh.points(), solidN)));
+    for (point& p : all) p = flat(p);
+    const labelList allKeys(gatherAll<label>(labelList(UIndirectList<label>(solidKey, solidN))));
+
+    treeBoundBox bb(all);
+    const scalar tolerance = dict().lookupOrDefault<scalar>("tolerance", 1e-6)*bb.mag();
     bb.inflate(0.01);
     bb.min() -= vector::uniform(SMALL + 1e-3*bb.mag());
     bb.max() += vector::uniform(SMALL + 1e-3*bb.mag());
-    const indexedOctree<treeDataPoint> tree(treeDataPoint(flatAll), bb, 10, 10, 3);
+    const indexedOctree<treeDataPoint> tree(treeDataPoint(all), bb, 10, 10, 3);
 
-    labelHashSet met;
-    for (const label n : fluidNodes())
+    DynamicList<labelPair> pairs;
+    DynamicList<scalar> gaps;
+    DynamicList<point> places;
+    for (const label n : fluidN)
     {
-        const pointIndexHit hit = tree.findNearest(flat(X[n]), sqr(GREAT));
-        const scalar gap = hit.hit() ? mag(flat(X[n]) - hit.hitPoint()) : GREAT;
+        const point X = flat(fluidMesh.points()[n]);
+        const pointIndexHit hit = tree.findNearest(X, sqr(GREAT));
+        const scalar gap = hit.hit() ? mag(X - hit.hitPoint()) : GREAT;
         if (gap <= tolerance)
         {
-            fluidKey[n] = allKeys[hit.index()];
-            met.insert(fluidKey[n]);
+            pairs.append(labelPair(allKeys[hit.index()], fluidKey[n]));
+            continue;
         }
-        else
-        {
-            gaps[me].append(gap);
-            places[me].append(X[n]);
-        }
+        gaps.append(gap);
+        places.append(fluidMesh.points()[n]);
     }
+    const List<labelPair> allPairs(gatherAll<labelPair>(pairs));
 
     // Solid nodes that no fluid node of any rank has met
-    List<labelList> metKeys(Pstream::nProcs());
-    metKeys[me] = met.toc();
-    Pstream::gatherList(metKeys);
-    Pstream::scatterList(metKeys);
-    labelHashSet allMet;
-    for (const labelList& k : metKeys) allMet.insert(k);
-    for (const label n : solidNodes())
+    labelHashSet met;
+    for (const labelPair& pair : allPairs) met.insert(pair.first());
+    for (const label n : solidN)
     {
-        if (allMet.found(solidKey[n])) continue;
-        gaps[me].append(0);
-        places[me].append(solid_.fe().points()[n]);
+        if (met.found(solidKey[n])) continue;
+        gaps.append(0);
+        places.append(solidMesh.points()[n]);
     }
+    fail(gatherAll<scalar>(gaps), gatherAll<point>(places));
+    checkFree();
+    return allPairs;
+}
 
-    Pstream::gatherList(gaps);
-    Pstream::scatterList(gaps);
-    Pstream::gatherList(places);
-    Pstream::scatterList(places);
-    fail(gaps, places);
 
-    checkFree(fluid_, fluidPatch_);
-    checkFree(solid_, solidPatch_);
+void Foam::matchingInterface::constrain(dofConstraints&)
+{
+    // The lowest rank that has a solid node
+    const fieldUnknowns& from = solid().unknowns();
+    const labelList nodes(solidNodes());
+    scalarField rank(from.map().nUnknowns(), -GREAT);
+    for (const label n : nodes) rank[from.start(0, n)] = -Pstream::myProcNo();
+    from.map().maximum(rank);
+    speaks_.setSize(nodes.size());
+    forAll(nodes, i) speaks_[i] = rank[from.start(0, nodes[i])] == -Pstream::myProcNo();
+
+    const vectorField &Xs = solid().fe().points(), &Xf = fluid().fe().points();
+    offset_ = vectorField(fluidNodes().size(), Zero);
+    handOver
+    (
+        [&](const label n) { return Xs[n]; },
+        [&](const label i, const label n, const vector& X)
+        {
+            for (label a = 0; a < fluid().fe().dim(); ++a)
+            {
+                const label c = fluid().fe().axis(a);
+                offset_[i][c] = X[c] - Xf[n][c];
+            }
+        }
+    );
+}
+
+
+void Foam::matchingInterface::follow()
+{
+    const motionField& s = static_cast<const feRegion&>(solid()).motion();
+    motionField& f = fluid().motion();
+
+    // x = X_s + D_s = X_f + D_f, without the round-off of the sums
+    handOver
+    (
+        [&](const label n) { return s.D[n]; },
+        [&](const label i, const label n, const vector& D) { f.D[n] = D + offset_[i]; }
+    );
+    handOver
+    (
+        [&](const label n) { return s.v[n]; },
+        [&](const label, const label n, const vector& v) { f.v[n] = v; }
+    );
+    handOver
+    (
+        [&](const label n) { return s.a[n]; },
+        [&](const label, const label n, const vector& a) { f.a[n] = a; }
+    );
 }
 
 

@@ -5,6 +5,19 @@
 \*---------------------------------------------------------------------------*/
 
 #include "newtonControl.H"
+#include "unknownEntries.H"
+#include <cmath>
+
+const char* Foam::newtonControl::outcomeName(const label o)
+{
+    static const char* names[] =
+    {
+        "converged", "maxIterations", "diverged", "invertedElement", "singular", "outOfMemory",
+        "linearSolver"
+    };
+    return names[o];
+}
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -17,8 +30,10 @@ Foam::newtonControl::newtonControl(const dictionary& dict)
     iteration_(-1),
     norm_(GREAT),
     firstNorm_(GREAT),
-    outcome_(feRegion::CONVERGED)
+    minDetJ_(GREAT),
+    outcome_(CONVERGED)
 {
+    reportUnknownEntries(dict, {"tolerance", "maxIter", "relaxation", "linearTolerance"});
     if
     (
         !(tolerance_ > 0) || maxIter_ < 1 || !(relaxation_ > 0 && relaxation_ <= 1)
@@ -41,28 +56,50 @@ void Foam::newtonControl::start()
 {
     iteration_ = -1;
     norm_ = GREAT;
-    outcome_ = feRegion::CONVERGED;
+    outcome_ = CONVERGED;
 }
 
 
-bool Foam::newtonControl::loop(const scalar norm, const scalar minDetJ)
+bool Foam::newtonControl::loop(const scalar norm, const bool nil, const scalar minDetJ)
 {
     ++iteration_;
     norm_ = norm;
+    minDetJ_ = minDetJ;
     if (iteration_ == 0) firstNorm_ = norm;
 
-    if (outcome_ != feRegion::CONVERGED) return false;
-    if (!(minDetJ > 0)) outcome_ = feRegion::INVERTED_ELEMENT;
-    else if (!std::isfinite(norm) || norm > 1e8*max(firstNorm_, 1.0)) outcome_ = feRegion::DIVERGED;
-    else if (norm <= tolerance_) return false;
-    else if (iteration_ >= maxIter_) outcome_ = feRegion::MAX_ITERATIONS;
+    if (outcome_ != CONVERGED) return false;
+    if (!(minDetJ > 0)) outcome_ = INVERTED_ELEMENT;
+    else if (!std::isfinite(norm) || norm > 1e8*max(firstNorm_, 1.0)) outcome_ = DIVERGED;
+    else if (norm <= tolerance_ && (nil || iteration_ > 0)) return false;
+    else if (iteration_ >= maxIter_) outcome_ = MAX_ITERATIONS;
 
     return ok();
 }
 
 
+const char* Foam::newtonControl::advice() const
+{
+    switch (outcome_)
+    {
+        case INVERTED_ELEMENT:
+            return
+                "Where a motion is prescribed, another stiffness of the mesh motion or a mesh"
+                " that leaves it more room may help, for a rough start a smaller deltaT.";
+        case OUT_OF_MEMORY:
+            return "The factors do not fit into the memory: use more ranks or a coarser mesh.";
+        case SINGULAR:
+            return "See the message on the singular matrix above.";
+        default:
+            return "Try a smaller deltaT, for a steady case a ramp of its loads.";
+    }
+}
+
+
 Foam::scalar Foam::newtonControl::linearTolerance() const
 {
+    // Small beside the scale, but not yet answered
+    if (norm_ <= tolerance_) return 1e-6;
+
     // Where the next residual would be near its goal, go there at once
     const scalar tolerance = min(linearTolerance_, norm_);
     const scalar enough = min(linearTolerance_, 0.3*tolerance_/norm_);

@@ -6,6 +6,7 @@
 
 #include "aleFluid.H"
 #include "addToRunTimeSelectionTable.H"
+#include "unknownEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -34,6 +35,11 @@ Foam::aleFluid::stabilisationNames
 
 void Foam::aleFluid::readTransport()
 {
+    // Users' files say Newtonian, which is what there is
+    wordList known({"rho", "mu", "nu", "bulkModulus"});
+    if (transport_.lookupOrDefault<word>("transportModel", "") == "Newtonian") known.append("transportModel");
+    reportUnknownEntries(transport_, known);
+
     const dimensionedScalar rho("rho", dimDensity, transport_);
     k_.rho = rho.value();
     if (transport_.found("mu"))
@@ -74,7 +80,11 @@ void Foam::aleFluid::readTransport()
             << "Unknown simulationType " << type << ". Valid: (laminar)"
             << exit(FatalIOError);
     }
+}
 
+
+void Foam::aleFluid::readStabilisation()
+{
     k_.equalOrder = family_ == elementFamily::EQUAL_ORDER;
     const stabilisationType stabilisation = stabilisationNames.lookupOrDefault
     (
@@ -93,20 +103,11 @@ void Foam::aleFluid::readTransport()
 }
 
 
-void Foam::aleFluid::readPressureReference()
+void Foam::aleFluid::findPressureReference()
 {
     pRefNode_ = -1;
     pRefValue_ = schemes_.lookupOrDefault<scalar>("pRefValue", 0);
     if (!schemes_.found("pRefPoint")) return;
-
-    for (const pointPatchVectorField& patch : pointU_().boundaryField())
-    {
-        if (patch.type() != "openBoundary") continue;
-        FatalIOErrorInFunction(schemes_)
-            << "Found pRefPoint, but patch " << patch.patch().name()
-            << " lets the fluid out (openBoundary), which gives the pressure"
-            << " its level. Remove pRefPoint" << exit(FatalIOError);
-    }
 
     const pointField& points = fe().points();
     scalar distance;
@@ -132,94 +133,88 @@ void Foam::aleFluid::readPressureReference()
 }
 
 
-void Foam::aleFluid::readMotion()
+void Foam::aleFluid::checkPressureReference() const
 {
-    IOdictionary dict
-    (
-        IOobject
-        (
-            "dynamicMeshDict", mesh_.time().constant(), mesh_,
-            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
-        )
-    );
-    if (dict.empty()) return;
+    if (!schemes_.found("pRefPoint")) return;
 
-    const word solver(dict.get<word>("motionSolver"));
-    if (solver != "feLaplacian")
+    const auto fail = [&](const string& why)
     {
-        FatalIOErrorInFunction(dict)
-            << "Unknown motionSolver " << solver << " for aleFluid."
-            << " Valid: (feLaplacian)" << exit(FatalIOError);
-    }
-    motionDict_ = dict.subOrEmptyDict("feLaplacianCoeffs");
-    motionDict_.set("motionSolver", solver);
-
-    IOobject io
-    (
-        "pointDisplacement", mesh_.time().timeName(), mesh_,
-        IOobject::MUST_READ, IOobject::AUTO_WRITE
-    );
-    if (io.typeHeaderOk<pointVectorField>())
+        FatalIOErrorInFunction(schemes_)
+            << "Found pRefPoint, but " << why.c_str()
+            << ", which gives the pressure its level. With pRefPoint the mass at"
+            << " that point would not be balanced. Remove pRefPoint"
+            << exit(FatalIOError);
+    };
+    for (const pointPatchVectorField& patch : pointU_().boundaryField())
     {
-        pointDisplacement_ = readPointField<vector>("pointDisplacement", mesh_, dimLength);
+        // A steady wall does not give way
+        if (motion_.follows(patch.patch().index()))
+        {
+            if (timeScheme().steady()) continue;
+            fail("patch " + patch.patch().name() + " is on an interface with a solid that gives way");
+        }
+        else if (flowLoads::isOpen(patch) && !returnReduce(patch.patch().meshPoints().empty(), andOp<bool>()))
+        {
+            fail("patch " + patch.patch().name() + " lets the fluid out (" + patch.type() + ')');
+        }
     }
-}
-
-
-void Foam::aleFluid::makeMotion(const labelUList& patches)
-{
-    IOdictionary solution
-    (
-        IOobject
-        (
-            "feSolution", mesh_.time().system(), mesh_.time(),
-            IOobject::MUST_READ, IOobject::NO_WRITE, false
-        )
-    );
-    motion_.reset
-    (
-        new laplaceMotion
-        (
-            fe(), pointDisplacement_.get(), patches, motionDict_,
-            solution.subDict("linearSolver")
-        )
-    );
+    if (!incompressible()) fail("the fluid has a bulkModulus");
 }
 
 
 void Foam::aleFluid::initialise()
 {
+    v_ = rateField<vector>(fe().nNodes());
+    q_ = rateField<scalar>(layout().size(PRESSURE));
     v_.v = fe().interpolate<vector>(pointU_->primitiveField());
-    q_.v = fe().interpolate<scalar>(pointP_->primitiveField());
-    if (pointDisplacement_.valid())
-    {
-        mesh_D_.D = fe().interpolate<vector>(pointDisplacement_->primitiveField());
-    }
-    state_.add("U", v_);
-    state_.add("p", q_);
-    state_.add("meshDisplacement", mesh_D_);
-    state_.store();
+    q_.v = scalarField(pointP_->primitiveField(), fe().vertexPoint());
+    boundary_->project(v_.v, mesh_.time().timeOutputValue());
+}
 
+
+Foam::List<Foam::fieldLayout::field> Foam::aleFluid::fields() const
+{
+    typedef fieldLayout layout;
+    return
+    {
+        {"pointU", layout::kind::VECTOR, layout::support::NODES, dimVelocity},
+        {"pointP", layout::kind::SCALAR, layout::support::VERTICES, dimPressure},
+    };
+}
+
+
+void Foam::aleFluid::makeFields()
+{
+    motion_.discretise(fe());
+    boundary_.reset(new nodalBoundary(fe(), pointU_()));
+    const bool first = returnReduce(v_.size() != fe().nNodes(), orOp<bool>());
+    if (first) initialise();
+    loads_.reset(new flowLoads(fe(), pointU_(), pointP_(), openPressure_, first));
+    assembly_.reset(new flowAssembly(fe()));
+    findPressureReference();
+    if (first)
+    {
+        if (pRefNode_ != -1) q_.v[pRefNode_] = pRefValue_;
+        boundary_->cyclic().follow(q_.v);
+    }
+
+    stage_ = flowFields(fe().nNodes(), layout().size(PRESSURE));
+    meshAcceleration_.setSize(fe().nNodes());
+    continuity_.setSize(layout().size(PRESSURE));
     faceArea_ = Foam::pow(fe().meanSize(), fe().dim() - 1);
 }
 
 
-Foam::scalar Foam::aleFluid::stageTime() const
+void Foam::aleFluid::connected()
 {
-    const feTimeScheme& ts = timeScheme();
-    return mesh_.time().value() - (1 - ts.stage())*ts.deltaT();
-}
-
-
-bool Foam::aleFluid::pressureNode(const label node) const
-{
-    return k_.equalOrder || node < fe().nVertices();
+    checkPressureReference();
+    motion_.connect(unknowns(), fe().blocks());
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::aleFluid::aleFluid(fvMesh& mesh)
+Foam::aleFluid::aleFluid(fvMesh& mesh, const dictionary& linearSolver)
 :
     feRegion
     (
@@ -227,7 +222,6 @@ Foam::aleFluid::aleFluid(fvMesh& mesh)
         elementFamilyNames.get("elements", readSchemes(mesh)) == elementFamily::TAYLOR_HOOD ? 2 : 1
     ),
     family_(elementFamilyNames.get("elements", schemes_)),
-    assembly_(fe()),
     transport_(dictObject("transportProperties", mesh.time().constant(), mesh)),
     pointU_(readPointField<vector>("pointU", mesh, dimVelocity)),
     pointP_(readPointField<scalar>("pointP", mesh, dimPressure)),
@@ -241,86 +235,35 @@ Foam::aleFluid::aleFluid(fvMesh& mesh)
         IOobject("p", mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::AUTO_WRITE),
         mesh, dimensionedScalar(dimPressure, Zero)
     ),
-    v_(fe().nNodes()),
-    q_(fe().nNodes()),
-    mesh_D_(fe().nNodes()),
-    stage_(fe().nNodes()),
-    meshAcceleration_(fe().nNodes()),
-    continuity_(fe().nNodes())
+    motion_(mesh, linearSolver),
+    stage_(0, 0)
 {
+    reportUnknownEntries
+    (
+        schemes_,
+        {"elements", "stabilisation", "timeScheme", "curvedPatches", "pRefPoint", "pRefValue"}
+    );
     k_.g = g_.value();
     readTransport();
-    readPressureReference();
-    readMotion();
-    initialise();
+    readStabilisation();
+    nodalBoundary::check(pointP_());
+    discretise();
+
+    state_.add("U", fieldLayout::support::NODES, v_);
+    state_.add("p", fieldLayout::support::VERTICES, q_);
+    state_.add("meshDisplacement", fieldLayout::support::NODES, motion_.displacement());
+    state_.add("openPressure", fieldLayout::support::NODES, openPressure_);
+    state_.shift();
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::aleFluid::nUnknowns(const label node) const
-{
-    return fe().dim() + (pressureNode(node) ? 1 : 0);
-}
-
-
-Foam::word Foam::aleFluid::unknownName(const label c) const
-{
-    return c == fe().dim() ? word("pointP") : word("pointU." + Foam::name(c));
-}
-
-
-void Foam::aleFluid::setInterface(const labelUList& patches)
-{
-    if (!moving())
-    {
-        FatalErrorInFunction
-            << "Region " << name() << " shares an interface with a solid, but"
-            << " its mesh cannot move." << nl
-            << "Give " << mesh_.time().constant()/name()/"dynamicMeshDict"
-            << " with motionSolver feLaplacian;" << exit(FatalError);
-    }
-    labelHashSet nodes;
-    for (const label patchi : patches) nodes.insert(fe().patchNodes(patchi));
-    interface_ = nodes.sortedToc();
-    makeMotion(patches);
-}
-
-
-void Foam::aleFluid::connect
-(
-    const labelUList& systemNode,
-    const nodeMap& map
-)
-{
-    feRegion::connect(systemNode, map);
-    if (!motion_.valid())
-    {
-        // The boundary moves as told, and its motion has no tangent
-        if (pointDisplacement_.valid()) makeMotion(labelList());
-        return;
-    }
-
-    const labelList node(identity(fe().nNodes()));
-    shapeColumns_.reset(new nodeMap(fe().key(), labelList(fe().nNodes(), fe().dim())));
-    shapeScatter_.clear();
-    for (const elementBlock& block : fe().blocks())
-    {
-        shapeScatter_.append(new elementScatter(block, systemNode, node));
-    }
-    S_.reset(new feMatrix(map, shapeColumns_(), nullptr, shapeScatter_));
-    shapeD_.setSize(fe().nNodes());
-    shapeX_.setSize(shapeColumns_->nUnknowns());
-    shapeY_.setSize(map.nUnknowns());
-}
-
-
 void Foam::aleFluid::constrain(dofConstraints& c) const
 {
-    const nodalBoundary boundary(fe());
-    boundary.constrain(pointU_(), systemNode_, *map_, c);
-    boundary.constrain(pointP_(), systemNode_, *map_, fe().dim(), c);
-    if (pRefNode_ != -1) c.fix(map_->start(systemNode_[pRefNode_]) + fe().dim());
+    boundary_->constrain(unknowns(), VELOCITY, c, labelHashSet(motion_.following()));
+    boundary_->cyclic().tie(unknowns(), PRESSURE, c);
+    if (pRefNode_ != -1) c.fix(unknowns().start(PRESSURE, pRefNode_));
 }
 
 
@@ -328,88 +271,101 @@ void Foam::aleFluid::predict(const scalar time)
 {
     const feTimeScheme& ts = timeScheme();
     v_.predict(ts);
-    q_.predict(ts);
-    mesh_D_.predict(ts);
+    incompressible() ? q_.predictStage(ts) : q_.predict(ts);
 
-    const nodalBoundary boundary(fe());
-    boundary.forValues
-    (
-        pointU_(), time, systemNode_, *map_,
-        [&](const label n, const vector& u) { v_.set(ts, n, u); }
-    );
-    boundary.forValues
-    (
-        pointP_(), time, systemNode_, *map_,
-        [&](const label n, const scalar p) { q_.set(ts, n, p); }
-    );
-    if (pRefNode_ != -1) q_.set(ts, pRefNode_, pRefValue_);
-    if (pointDisplacement_.valid())
+    boundary_->forValues(time, [&](const label n, const vector& u) { v_.set(ts, n, u); });
+    vectorField v(v_.v);
+    if (boundary_->project(v, time)) forAll(v, n) if (v[n] != v_.v[n]) v_.set(ts, n, v[n]);
+    if (pRefNode_ != -1)
     {
-        boundary.forValues
-        (
-            pointDisplacement_(), time, systemNode_, *map_,
-            [&](const label n, const vector& d) { mesh_D_.setD(ts, n, d); }
-        );
-        if (!hasMotionTangent()) moveMesh();
+        incompressible() ? q_.setStage(ts, pRefNode_, pRefValue_) : q_.set(ts, pRefNode_, pRefValue_);
     }
+    loads_->predict();
+    motion_.predict(ts, time);
 }
 
 
 void Foam::aleFluid::update(const scalarField& dx)
 {
     const feTimeScheme& ts = timeScheme();
-    forAll(v_.v, n)
+    forAll(v_.v, n) v_.set(ts, n, v_.v[n] + unknowns().at(VELOCITY, n, dx));
+    forAll(q_.v, i)
     {
-        const label start = map_->start(systemNode_[n]);
-        vector dv = Zero;
-        for (label a = 0; a < fe().dim(); ++a) dv[fe().axis(a)] = dx[start + a];
-        v_.set(ts, n, v_.v[n] + dv);
-        if (pressureNode(n)) q_.set(ts, n, q_.v[n] + dx[start + fe().dim()]);
+        const scalar dp = dx[unknowns().start(PRESSURE, i)];
+        if (incompressible()) q_.setStage(ts, i, q_.v[i] + ts.alphaF()*dp);
+        else q_.set(ts, i, q_.v[i] + dp);
     }
 }
 
 
-void Foam::aleFluid::interfaceMoved()
+void Foam::aleFluid::followed()
 {
     const feTimeScheme& ts = timeScheme();
-    for (const label n : interface_)
+    const motionField& D = motion_.displacement();
+    for (const label n : motion_.following())
     {
-        v_.v[n] = ts.steady() ? vector::zero : mesh_D_.v[n];
-        v_.a[n] = ts.steady() ? vector::zero : mesh_D_.a[n];
+        v_.v[n] = ts.steady() ? vector::zero : D.v[n];
+        v_.a[n] = ts.steady() ? vector::zero : D.a[n];
     }
-    moveMesh();
+    motion_.extend(ts);
 }
 
 
-void Foam::aleFluid::moveMesh()
+void Foam::aleFluid::followedAtStart()
 {
-    if (!motion_.valid()) return;
+    motion_.extendRates();
+}
+
+
+void Foam::aleFluid::extendIncrement(const scalarField& dx)
+{
     const feTimeScheme& ts = timeScheme();
-    vectorField D(mesh_D_.D);
-    motion_->extend(D);
-    forAll(D, n) if (!motion_->given(n)) mesh_D_.setD(ts, n, D[n]);
+    motion_.extendIncrement(unknowns(), dx, ts.displacementByUnknown()/ts.alphaF());
 }
 
 
-Foam::scalar Foam::aleFluid::fluxScale() const
+Foam::scalar Foam::aleFluid::residualScale(const label field) const
 {
+    if (field == VELOCITY) return 0;
     scalar sum = 0;
-    forAll(v_.v, n) if (map_->owned(systemNode_[n])) sum += magSqr(v_.v[n]);
+    forAll(v_.v, n) if (unknowns().map().owned(unknowns().node(n))) sum += magSqr(v_.v[n]);
     return faceArea_*::sqrt(returnReduce(sum, sumOp<scalar>()));
 }
 
 
-Foam::scalar Foam::aleFluid::velocityScale() const
+Foam::scalar Foam::aleFluid::unknownScale(const label) const
 {
     scalar size = 0;
-    forAll(v_.v, n) size = max(size, max(mag(v_.v[n]), mag(mesh_D_.v[n])));
+    const vectorField& vm = motion_.displacement().v;
+    forAll(v_.v, n) size = max(size, max(mag(v_.v[n]), mag(vm[n])));
     return returnReduce(size, maxOp<scalar>());
 }
 
 
-void Foam::aleFluid::advance()
+Foam::string Foam::aleFluid::singularAdvice(const label field) const
 {
-    if (moving()) mesh_.movePoints(fe().movedPoints(mesh_D_.D));
+    return
+        field == PRESSURE
+      ? "The pressure is undetermined where no patch lets the fluid out: give one patch"
+        " of pointU the type openBoundary, or pRefPoint in feSchemes"
+      : "The velocity is undetermined: mu and rho must not both be zero";
+}
+
+
+void Foam::aleFluid::reportSolvers(Ostream& os) const
+{
+    if (const feLinearSolver* solver = motion_.solver())
+    {
+        os << "Factors of the mesh motion of " << name() << ": " << solver->stats() << nl;
+    }
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::aleFluid::endPressure() const
+{
+    tmp<scalarField> tp(new scalarField(q_.v));
+    if (incompressible()) forAll(q_.v, i) tp.ref()[i] = q_.atEnd(timeScheme(), i);
+    return tp;
 }
 
 
@@ -417,23 +373,15 @@ void Foam::aleFluid::derive()
 {
     fe().toPoints<vector>(v_.v, pointU_->primitiveFieldRef());
 
-    // Mid-side nodes carry no pressure of Taylor-Hood elements
-    scalarField p(q_.v);
-    if (!k_.equalOrder && fe().order() == 2)
+    // At all nodes: mid-side ones have the mean of their ends
+    scalarField p(endPressure());
+    p.setSize(fe().nNodes(), 0);
+    for (label n = fe().nVertices(); n < p.size(); ++n)
     {
-        List<labelList> parent;
-        fe().parents(parent);
-        for (label n = fe().nVertices(); n < p.size(); ++n)
-        {
-            p[n] = 0;
-            for (const label m : parent[n]) p[n] += p[m]/parent[n].size();
-        }
+        for (const label m : fe().parents()[n]) p[n] += p[m]/fe().parents()[n].size();
     }
     fe().toPoints<scalar>(p, pointP_->primitiveFieldRef());
-    if (pointDisplacement_.valid())
-    {
-        fe().toPoints<vector>(mesh_D_.D, pointDisplacement_->primitiveFieldRef());
-    }
+    motion_.derive();
     toCells<vector>(v_.v, U_);
     toCells<scalar>(p, p_);
 }

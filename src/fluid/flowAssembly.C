@@ -79,6 +79,7 @@ void Foam::flowAssembly::assembleBlock
 ) const
 {
     constexpr int dim = V::dim, nV = V::nNodes, nP = P::nNodes;
+    constexpr label velocity = 0, pressure = 1, position = 0;
     const elementBlock& block = fe_.blocks()[blocki];
     const flowConstants<dim> k = constants<dim>(parameters, fe_);
     const FixedList<label, 3> axis({fe_.axis(0), fe_.axis(1), fe_.axis(2)});
@@ -119,17 +120,17 @@ void Foam::flowAssembly::assembleBlock
                 kernel->tangent(k, *nodes, *K);
                 if (!matrices->heldNodes.empty()) holdNodes(matrices->heldNodes, block, batch, *K);
                 const elementScatter& to = (*matrices->scatter)[blocki];
-                matrices->K->add(to, block, batch, &K->uu[0][0](0, 0), nV, nV, dim, dim, 0, 0, s);
-                matrices->K->add(to, block, batch, &K->up[0][0][0], nV, nP, dim, 1, 0, dim, s);
-                matrices->K->add(to, block, batch, &K->pu[0][0][0], nP, nV, 1, dim, dim, 0, s);
-                matrices->K->add(to, block, batch, &K->pp[0][0], nP, nP, 1, 1, dim, dim, s);
+                matrices->K->add(to, block, batch, &K->uu[0][0](0, 0), velocity, velocity, s);
+                matrices->K->add(to, block, batch, &K->up[0][0][0], velocity, pressure, s);
+                matrices->K->add(to, block, batch, &K->pu[0][0][0], pressure, velocity, s);
+                matrices->K->add(to, block, batch, &K->pp[0][0], pressure, pressure, s);
             }
             if (matrices->S)
             {
                 kernel->shapeTangent(k, *nodes, *K);
                 const elementScatter& to = (*matrices->shapeScatter)[blocki];
-                matrices->S->add(to, block, batch, &K->um[0][0](0, 0), nV, nV, dim, dim, 0, 0, s);
-                matrices->S->add(to, block, batch, &K->pm[0][0][0], nP, nV, 1, dim, dim, 0, s);
+                matrices->S->add(to, block, batch, &K->um[0][0](0, 0), velocity, position, s);
+                matrices->S->add(to, block, batch, &K->pm[0][0][0], pressure, position, s);
             }
         });
     }

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "feLaplacianMotionSolver.H"
+#include "subDictOrEmpty.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -34,12 +35,14 @@ void Foam::feLaplacianMotionSolver::solve()
 {
     if (!motion_.valid())
     {
-        dictionary solver(coeffDict().subOrEmptyDict("linearSolver"));
+        dictionary coeffs(coeffDict());
+        dictionary solver(subDictOrEmpty(coeffs, "linearSolver"));
         solver.add("type", "MUMPS");
+        coeffs.remove("linearSolver");
         fe_.reset(new feMesh(mesh(), 1, dictionary::null, points0()));
         motion_.reset
         (
-            new laplaceMotion(fe_(), &pointDisplacement(), labelList(), coeffDict(), solver)
+            new laplaceMotion(fe_(), &pointDisplacement(), labelList(), coeffs, solver)
         );
     }
 

@@ -6,34 +6,71 @@
 
 #include "laplaceMotion.H"
 #include "meshStiffness.H"
-#include "nodalBoundary.H"
 #include "feValues.H"
-#include "symmetryPolyPatch.H"
-#include "symmetryPlanePolyPatch.H"
-#include "clockValue.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(laplaceMotion, 0);
+    addToRunTimeSelectionTable(meshMotion, laplaceMotion, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Scalar element matrices, for each component of the one field
+template<int n>
+static void addComponents
+(
+    feMatrix& K,
+    const elementScatter& scatter,
+    const elementBlock& block,
+    const label batch,
+    const pack (&k)[n][n]
+)
+{
+    const auto add = [&](const auto cmpts)
+    {
+        constexpr int d = cmpts();
+        pack all[n][n][d][d];
+        for (int i = 0; i < n; ++i) for (int j = 0; j < n; ++j)
+        {
+            for (int a = 0; a < d; ++a) for (int b = 0; b < d; ++b)
+            {
+                all[i][j][a][b] = a == b ? k[i][j] : pack(0.0);
+            }
+        }
+        K.add(scatter, block, batch, &all[0][0][0][0], 0, 0, 1);
+    };
+    switch (scatter.rows[0].nCmpts)
+    {
+        case 1: K.add(scatter, block, batch, &k[0][0], 0, 0, 1); break;
+        case 2: add(std::integral_constant<int, 2>()); break;
+        case 3: add(std::integral_constant<int, 3>()); break;
+    }
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::laplaceMotion::constrain
-(
-    const pointVectorField* boundary,
-    const labelUList& heldPatches
-)
+void Foam::laplaceMotion::makeBoundary(pointVectorField* boundary)
 {
-    const labelList node(identity(fe_.nNodes()));
-    const polyBoundaryMesh& patches = fe_.mesh().boundaryMesh();
-    constraints_.reset(new dofConstraints(map_->nUnknowns()));
-
-    // Only the types of the point field's patches count here
-    autoPtr<pointVectorField> byDefault;
     if (!boundary)
     {
+        const polyBoundaryMesh& patches = fe_.mesh().boundaryMesh();
         wordList types(patches.size(), "fixedValue");
         forAll(patches, p)
         {
             if (polyPatch::constraintType(patches[p].type())) types[p] = patches[p].type();
         }
-        byDefault.reset
+        byDefault_.reset
         (
             new pointVectorField
             (
@@ -43,45 +80,52 @@ void Foam::laplaceMotion::constrain
                 types
             )
         );
-        boundary = &byDefault();
+        boundary = byDefault_.get();
     }
-    nodalBoundary(fe_).constrain(*boundary, node, *map_, *constraints_);
+    boundary_.reset(new nodalBoundary(fe_, *boundary));
+}
 
-    for (const label patchi : heldPatches)
+
+void Foam::laplaceMotion::number(const fieldLayout::kind kind)
+{
+    layout_.reset
+    (
+        new fieldLayout
+        (
+            fe_,
+            {{"meshDisplacement", kind, fieldLayout::support::NODES, dimLength}}
+        )
+    );
+    map_.reset(new nodeMap(layout_->keys(), fieldUnknowns::counts(layout_())));
+    unknowns_.reset(new fieldUnknowns(layout_(), map_()));
+    constraints_.reset(new dofConstraints(map_()));
+}
+
+
+void Foam::laplaceMotion::constrain()
+{
+    constraints_->reopen();
+    boundary_->constrain(unknowns_(), 0, constraints_());
+    for (const label patchi : heldPatches_) for (const label n : fe_.patchNodes(patchi))
     {
-        for (const label n : fe_.patchNodes(patchi))
-        {
-            for (label a = 0; a < fe_.dim(); ++a) constraints_->fix(map_->start(n) + a);
-        }
+        forCmpts(n, [&](const label, const label, const label u) { constraints_->fix(u); });
     }
-
-    // Ranks without the patch have copies of its nodes
-    constraints_->share(map_());
     constraints_->close();
 }
 
 
-void Foam::laplaceMotion::decouple()
+bool Foam::laplaceMotion::uncoupled() const
 {
-    const label dim = fe_.dim();
-    boolList held(fe_.nNodes());
     bool coupled = false;
-    forAll(held, n)
+    for (label n = 0; n < fe_.nNodes(); ++n)
     {
-        held[n] = constraints_->isFixed(map_->start(n));
-        for (label a = 0; a < dim; ++a)
+        const bool held = constraints_->isFixed(unknowns_->start(0, n));
+        forCmpts(n, [&](const label, const label, const label u)
         {
-            const label i = map_->start(n) + a;
-            coupled = coupled || constraints_->isTied(i) || constraints_->isFixed(i) != held[n];
-        }
+            coupled = coupled || constraints_->isTied(u) || constraints_->isFixed(u) != held;
+        });
     }
-    if (returnReduce(coupled, orOp<bool>())) return;
-
-    nUnknowns_ = 1;
-    nColumns_ = dim;
-    map_.reset(new nodeMap(fe_.key(), labelList(fe_.nNodes(), nUnknowns_)));
-    constraints_.reset(new dofConstraints(map_->nUnknowns()));
-    forAll(held, n) if (held[n]) constraints_->fix(map_->start(n));
+    return !returnReduce(coupled, orOp<bool>());
 }
 
 
@@ -117,14 +161,7 @@ void Foam::laplaceMotion::assembleBlock
                     K[i][j] += k*(w.dN[i] & w.dN[j])*w.dV;
                 }
             }
-            for (label a = 0; a < nUnknowns_; ++a)
-            {
-                K_->add
-                (
-                    scatter_[blocki], block, batch, &K[0][0],
-                    E::nNodes, E::nNodes, 1, 1, a, a, 1
-                );
-            }
+            addComponents(K_(), scatter_[blocki], block, batch, K);
         });
     }
 }
@@ -132,12 +169,11 @@ void Foam::laplaceMotion::assembleBlock
 
 void Foam::laplaceMotion::assemble(const dictionary& dict)
 {
-    const labelList node(identity(fe_.nNodes()));
     for (const elementBlock& block : fe_.blocks())
     {
-        scatter_.append(new elementScatter(block, node, node));
+        scatter_.append(new elementScatter(block, unknowns_()));
     }
-    K_.reset(new feMatrix(map_(), map_(), constraints_.get(), scatter_));
+    K_.reset(new feMatrix(map_(), map_(), constraints_.get(), scatter_, true));
 
     const List<scalarField> kappa = meshStiffness::elements(fe_, dict);
     forAll(fe_.blocks(), b)
@@ -150,26 +186,63 @@ void Foam::laplaceMotion::assemble(const dictionary& dict)
 }
 
 
+bool Foam::laplaceMotion::solve(vectorField& u, const bool affine) const
+{
+    // K x = 0 with what is known of x on the right: values that are given, and
+    // what ties add to their masters'
+    for (scalarField& x : x_)
+    {
+        x = 0;
+        if (affine) for (const label i : constraints_->slaves()) x[i] = constraints_->b(i);
+    }
+    forAll(u, n) forCmpts(n, [&](const label c, const label r, const label i)
+    {
+        if (constraints_->isGiven(i)) x_[r][i] = u[n][c];
+    });
+    forAll(x_, r)
+    {
+        K_->multiply(x_[r], b_[r]);
+        map_->sum(b_[r]);
+        forAll(b_[r], i) b_[r][i] = constraints_->isFree(i) ? -b_[r][i] : 0;
+    }
+    if (factors_->solve(b_, x_) != feLinearSolver::outcome::OK) return false;
+
+    forAll(u, n) forCmpts(n, [&](const label c, const label r, const label i)
+    {
+        if (constraints_->isGiven(i)) x_[r][i] = u[n][c];
+    });
+    for (scalarField& x : x_) affine ? constraints_->impose(x) : constraints_->imposeHomogeneous(x);
+    forAll(u, n) forCmpts(n, [&](const label c, const label r, const label i) { u[n][c] = x_[r][i]; });
+    return true;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::laplaceMotion::laplaceMotion
 (
     const feMesh& fe,
-    const pointVectorField* boundary,
+    pointVectorField* boundary,
     const labelUList& heldPatches,
     const dictionary& dict,
     const dictionary& solver
 )
 :
     fe_(fe),
-    nUnknowns_(fe.dim()),
-    nColumns_(1),
-    map_(new nodeMap(fe.key(), labelList(fe.nNodes(), nUnknowns_))),
-    solveTime_(0)
+    heldPatches_(heldPatches)
 {
-    constrain(boundary, heldPatches);
-    decouple();
-    x_.setSize(nColumns_, scalarField(map_->nUnknowns()));
+    makeBoundary(boundary);
+    number(fieldLayout::kind::VECTOR);
+    constrain();
+    if (uncoupled())
+    {
+        boolList held(fe_.nNodes());
+        forAll(held, n) held[n] = constraints_->isFixed(unknowns_->start(0, n));
+        number(fieldLayout::kind::SCALAR);
+        forAll(held, n) if (held[n]) constraints_->fix(unknowns_->start(0, n));
+        constraints_->close();
+    }
+    x_.setSize(layout_->nComponents(0) > 1 ? 1 : fe_.dim(), scalarField(map_->nUnknowns()));
     b_ = x_;
     assemble(dict);
     factors_.reset(new feFactors(map_(), K_(), solver));
@@ -188,44 +261,18 @@ Foam::laplaceMotion::laplaceMotion
 bool Foam::laplaceMotion::given(const label node) const
 {
     bool all = true;
-    for (label a = 0; a < nUnknowns_; ++a)
+    forCmpts(node, [&](const label, const label, const label u)
     {
-        all = all && constraints_->isFixed(map_->start(node) + a);
-    }
+        all = all && constraints_->isGiven(u);
+    });
     return all;
 }
 
 
-void Foam::laplaceMotion::extend(vectorField& u) const
+void Foam::laplaceMotion::renew()
 {
-    const clockValue timer(true);
-
-    // K u = 0 with the given part of u on the right
-    forAll(x_, c)
-    {
-        scalarField& x = x_[c];
-        scalarField& b = b_[c];
-        forAll(u, n) for (label a = 0; a < nUnknowns_; ++a)
-        {
-            const label i = map_->start(n) + a;
-            x[i] = constraints_->isFixed(i) ? u[n][fe_.axis(c + a)] : 0;
-        }
-        K_->multiply(x, b);
-        map_->sum(b);
-        forAll(b, i) b[i] = constraints_->isFree(i) ? -b[i] : 0;
-    }
-
-    factors_->solve(b_, x_);
-    forAll(x_, c)
-    {
-        constraints_->distribute(x_[c]);
-        forAll(u, n) for (label a = 0; a < nUnknowns_; ++a)
-        {
-            const label i = map_->start(n) + a;
-            if (!constraints_->isFixed(i)) u[n][fe_.axis(c + a)] = x_[c][i];
-        }
-    }
-    solveTime_ += timer.elapsed();
+    // Without ties there is nothing to renew
+    if (layout_->nComponents(0) > 1) constrain();
 }
 
 

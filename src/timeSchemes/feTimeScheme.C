@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "feTimeScheme.H"
+#include "unknownEntries.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -20,7 +21,7 @@ namespace Foam
 
 Foam::feTimeScheme::feTimeScheme()
 :
-    alphaM_(1), alphaF_(1), gamma_(1), beta_(1), steady_(false), deltaT_(1)
+    alphaM_(1), alphaF_(1), gamma_(1), beta_(1), delta_(0.5), steady_(false), deltaT_(1)
 {}
 
 
@@ -72,7 +73,7 @@ bool Foam::feTimeScheme::operator==(const feTimeScheme& s) const
 {
     return
         alphaM_ == s.alphaM_ && alphaF_ == s.alphaF_ && gamma_ == s.gamma_
-     && beta_ == s.beta_ && steady_ == s.steady_;
+     && beta_ == s.beta_ && delta_ == s.delta_ && steady_ == s.steady_;
 }
 
 
@@ -94,6 +95,7 @@ public:
 
     explicit Newmark(const dictionary& dict)
     {
+        reportUnknownEntries(dict, {"type", "gamma", "beta"});
         gamma_ = dict.lookupOrDefault<scalar>("gamma", 0.5);
         beta_ = dict.lookupOrDefault<scalar>("beta", 0.25*sqr(gamma_ + 0.5));
         if (gamma_ < 0.5 || beta_ < 0.5*gamma_ - SMALL)
@@ -117,6 +119,7 @@ public:
 
     explicit generalisedAlpha(const dictionary& dict)
     {
+        reportUnknownEntries(dict, {"type", "rhoInf"});
         const scalar rho = dict.get<scalar>("rhoInf");
         if (rho < 0 || rho > 1)
         {
@@ -132,6 +135,19 @@ public:
 };
 
 
+//- Backward Euler: timeScheme { type Euler; }
+//  Of first order, damps all that the step does not resolve.  For a flow also
+//  Newmark with gamma 1; for a solid no beta of Newmark's gives it
+class Euler : public feTimeScheme
+{
+public:
+
+    TypeName("Euler");
+
+    explicit Euler(const dictionary&) { delta_ = 1; }
+};
+
+
 //- Steady: timeScheme { type steady; }; a step of time is a load step
 class steady : public feTimeScheme
 {
@@ -139,15 +155,21 @@ public:
 
     TypeName("steady");
 
-    explicit steady(const dictionary&) { steady_ = true; }
+    explicit steady(const dictionary& dict)
+    {
+        reportUnknownEntries(dict, {"type"});
+        steady_ = true;
+    }
 };
 
 
 defineTypeNameAndDebug(Newmark, 0);
 defineTypeNameAndDebug(generalisedAlpha, 0);
+defineTypeNameAndDebug(Euler, 0);
 defineTypeNameAndDebug(steady, 0);
 addToRunTimeSelectionTable(feTimeScheme, Newmark, dictionary);
 addToRunTimeSelectionTable(feTimeScheme, generalisedAlpha, dictionary);
+addToRunTimeSelectionTable(feTimeScheme, Euler, dictionary);
 addToRunTimeSelectionTable(feTimeScheme, steady, dictionary);
 
 } // End namespace timeSchemes

@@ -16,6 +16,8 @@ Description
 #include "Time.H"
 #include "coupledSystem.H"
 #include "coupledInterfaceReport.H"
+#include "exitOnIOError.H"
+#include "stockFunctionObjects.H"
 
 using namespace Foam;
 
@@ -33,7 +35,9 @@ int main(int argc, char *argv[])
         "Read and check the case, report its size, and stop"
     );
     #include "setRootCase.H"
+    exitOnIOError();
     #include "createTime.H"
+    checkFunctionObjects(runTime);
 
     coupledSystem problem(runTime);
     const coupledInterfaceReport interfaces(runTime, problem);
@@ -44,17 +48,19 @@ int main(int argc, char *argv[])
         return 0;
     }
 
-    while (runTime.loop())
+    while (runTime.run())
     {
+        problem.store();
+        ++runTime;
         Info<< "Time = " << runTime.timeName() << nl;
 
-        problem.store();
         if (!problem.step())
         {
             // Back to the last good state, written if it is not the initial one
+            const string reason(problem.reasonOfFailure());
             problem.restore();
-            runTime.setTime(runTime.value() - runTime.deltaTValue(), runTime.timeIndex() - 1);
-            if (runTime.timeIndex() > runTime.startTimeIndex())
+            const bool written = runTime.timeIndex() > runTime.startTimeIndex();
+            if (written)
             {
                 problem.advance();
                 runTime.writeNow();
@@ -63,10 +69,11 @@ int main(int argc, char *argv[])
             FatalErrorInFunction
                 << "The step from time " << runTime.timeName() << " with deltaT "
                 << runTime.deltaTValue() << " did not converge: "
-                << feRegion::outcomeName(problem.newton().outcome()) << " after "
+                << newtonControl::outcomeName(problem.newton().outcome()) << " after "
                 << problem.newton().nIterations() << " iterations." << nl
-                << "The last good state has been written. Try a smaller deltaT,"
-                << " for a steady case a ramp of its loads." << exit(FatalError);
+                << reason.c_str()
+                << (written ? "The last good state has been written. " : "")
+                << problem.newton().advice() << exit(FatalError);
         }
 
         problem.advance();

@@ -17,14 +17,27 @@ const char* Foam::elementName(const elementShape shape)
 }
 
 
-void Foam::elementBlock::colour(const label nMeshNodes)
+Foam::label Foam::elementBlock::nVertices() const
+{
+    label n = 2;
+    withElement(*this, [&](auto E) { n = E.nVertices; });
+    return n;
+}
+
+
+void Foam::elementBlock::colour
+(
+    const label nMeshNodes,
+    const UList<labelList>& further,
+    const label nFurther
+)
 {
     // Some hundred chunks are enough for all threads and colours
     chunkSize = max(label(1), min(label(16), nBatches()/64));
     const label nChunks = (nBatches() + chunkSize - 1)/chunkSize;
 
     // Bit c of a node: a chunk of colour c has it
-    std::vector<std::uint64_t> used(nMeshNodes, 0);
+    std::vector<std::uint64_t> used(nMeshNodes + nFurther, 0);
     DynamicList<DynamicList<label>> chunks;
 
     const auto forNodes = [&](const label chunk, const auto& f)
@@ -35,6 +48,8 @@ void Foam::elementBlock::colour(const label nMeshNodes)
             {
                 const label* nodes = element(lane(batch, l));
                 for (label i = 0; i < nNodes; ++i) f(used[nodes[i]]);
+                if (further.empty()) continue;
+                for (const label k : further[lane(batch, l)]) f(used[nMeshNodes + k]);
             }
         });
     };

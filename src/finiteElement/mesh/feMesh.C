@@ -7,7 +7,7 @@
 #include "feMesh.H"
 #include "feValues.H"
 #include "emptyPolyPatch.H"
-#include "processorPolyPatch.H"
+#include "processorCyclicPolyPatch.H"
 #include "cellModel.H"
 #include "SubField.H"
 
@@ -17,6 +17,45 @@ namespace Foam
 {
     defineTypeNameAndDebug(feMesh, 0);
 }
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Two faces of the boundary on the same points would share its values
+static void checkBaffles(const polyMesh& mesh)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    HashTable<label, labelList, Hash<labelList>> faceOn;
+    label n = 0, first = -1, second = -1;
+    point where = Zero;
+    for (const polyPatch& pp : patches)
+    {
+        if (pp.coupled() || isA<emptyPolyPatch>(pp)) continue;
+        forAll(pp, i)
+        {
+            labelList points(pp[i]);
+            Foam::sort(points);
+            if (faceOn.insert(points, pp.index())) continue;
+            ++n;
+            first = faceOn[points];
+            second = pp.index();
+            where = pp.faceCentres()[i];
+        }
+    }
+    if (!n) return;
+    FatalErrorInFunction
+        << "Region " << mesh.name() << " has " << n << " pairs of boundary faces on the same"
+        << " points, one on patches " << patches[first].name() << " and " << patches[second].name()
+        << " at " << where << ": a baffle." << nl
+        << "A node there has one value for both sides, so pressure would pass through. Give each"
+        << " side its own points: mergeOrSplitBaffles -region " << mesh.name()
+        << " -split -overwrite" << exit(FatalError);
+}
+
+} // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -46,7 +85,7 @@ void Foam::feMesh::setDirections()
     bool empty = false;
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        empty = empty || isA<emptyPolyPatch>(pp);
+        empty = empty || (isA<emptyPolyPatch>(pp) && pp.size());
     }
     reduce(empty, orOp<bool>());
 
@@ -217,7 +256,9 @@ void Foam::feMesh::addPatches()
     forAll(patches, patchi)
     {
         const polyPatch& pp = patches[patchi];
-        if (isA<emptyPolyPatch>(pp) || isA<processorPolyPatch>(pp)) continue;
+        const auto* cyclic = isA<processorCyclicPolyPatch>(pp);
+        if (isA<emptyPolyPatch>(pp) || (isA<processorPolyPatch>(pp) && !cyclic)) continue;
+        List<elementBlock>& blocks = patchBlocks_[cyclic ? cyclic->referPatchID() : patchi];
 
         forAll(pp, i)
         {
@@ -240,10 +281,31 @@ void Foam::feMesh::addPatches()
             const elementShape shape =
                 dim_ == 2 ? elementShape::LINE
               : nodes.size() == 3 ? elementShape::TRI : elementShape::QUAD;
-            elementBlock& block = blockOf(patchBlocks_[patchi], shape);
+            elementBlock& block = blockOf(blocks, shape);
             block.nodes.append(nodes);
-            block.cells.append(i);
+            block.cells.append(cyclic ? -1 : i);
         }
+    }
+}
+
+
+void Foam::feMesh::findPatchNodes()
+{
+    forAll(patchNodes_, patchi)
+    {
+        // The indices of all but processor patches are the same on all ranks
+        if (isA<processorPolyPatch>(mesh_.boundaryMesh()[patchi])) continue;
+
+        scalarField nRanks(nNodes(), 0);
+        for (const elementBlock& block : patchBlocks_[patchi])
+        {
+            for (const label n : block.nodes) nRanks[n] = 1;
+        }
+        copies_->sum(nRanks);
+
+        DynamicList<label> nodes;
+        forAll(nRanks, n) if (nRanks[n] > 0) nodes.append(n);
+        patchNodes_[patchi].transfer(nodes);
     }
 }
 
@@ -315,19 +377,18 @@ Foam::feMesh::feMesh
             for (elementBlock& block : blocks) addEdgeNodes(block, edgeNode, points);
         }
         points_.transfer(points);
-        curvePatches(dict.subOrEmptyDict("curvedPatches"), edgeNode);
-        centreNodes();
     }
     makeKeys(edgeNode);
     quadNode_.clear();
-
-    forAll(patchNodes_, patchi)
+    makeParents();
+    findPatchNodes();
+    if (order_ == 2)
     {
-        labelHashSet nodes;
-        for (const elementBlock& block : patchBlocks_[patchi]) nodes.insert(block.nodes);
-        patchNodes_[patchi] = nodes.sortedToc();
+        curvePatches(dict.subOrEmptyDict("curvedPatches"));
+        centreNodes();
     }
     for (elementBlock& block : blocks_) block.colour(nNodes());
+    checkBaffles(mesh_);
     checkOrientation();
 }
 
@@ -388,6 +449,47 @@ Foam::label Foam::feMesh::patchIndex
             << exit(FatalIOError);
     }
     return patchi;
+}
+
+
+Foam::labelList Foam::feMesh::patchIndices
+(
+    const wordRes& names,
+    const dictionary& where
+) const
+{
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    wordList valid;
+    labelHashSet physical;
+    for (const polyPatch& pp : patches)
+    {
+        if (isA<emptyPolyPatch>(pp) || isA<processorPolyPatch>(pp)) continue;
+        valid.append(pp.name());
+        physical.insert(pp.index());
+    }
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(where)
+            << "The list of patches is empty. Region " << mesh_.name()
+            << " has the patches " << valid << exit(FatalIOError);
+    }
+
+    labelHashSet indices;
+    for (const wordRe& name : names)
+    {
+        labelHashSet found(patches.patchSet(wordRes(one(), name), false));
+        found &= physical;
+        if (found.empty())
+        {
+            FatalIOErrorInFunction(where)
+                << "Region " << mesh_.name() << " has no patch '"
+                << name.c_str() << "'. Its patches are " << valid
+                << " and its groups " << patches.groupPatchIDs().sortedToc()
+                << exit(FatalIOError);
+        }
+        indices |= found;
+    }
+    return indices.sortedToc();
 }
 
 

@@ -10,10 +10,10 @@ Description
 #include "feMesh.H"
 #include "searchableSurface.H"
 #include "Time.H"
-#include <algorithm>
-#include "syncTools.H"
+#include "processorPolyPatch.H"
+#include "PstreamBuffers.H"
 #include "globalIndex.H"
-#include "SortableList.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -107,81 +107,65 @@ void Foam::feMesh::addEdgeNodes
 }
 
 
-void Foam::feMesh::curvePatches
+void Foam::feMesh::curvePatch
 (
+    const label patchi,
     const dictionary& dict,
-    const EdgeMap<label>& edgeNode
-)
+    vectorField& move
+) const
+{
+    const word& name = mesh_.boundaryMesh()[patchi].name();
+    const autoPtr<searchableSurface> surface = searchableSurface::New
+    (
+        dict.get<word>("type"),
+        IOobject
+        (
+            name, mesh_.time().constant(), "triSurface", mesh_.time(),
+            IOobject::MUST_READ, IOobject::NO_WRITE, false
+        ),
+        dict
+    );
+
+    DynamicList<label> nodes;
+    for (const label n : patchNodes(patchi))
+    {
+        if (parents_[n].size() == 2) nodes.append(n);
+    }
+    pointField mid(nodes.size());
+    scalarField radiusSqr(nodes.size());
+    forAll(nodes, i)
+    {
+        const point& a = points_[parents_[nodes[i]][0]];
+        const point& b = points_[parents_[nodes[i]][1]];
+        mid[i] = 0.5*(a + b);
+        radiusSqr[i] = magSqr(b - a);
+    }
+    List<pointIndexHit> hits;
+    surface->findNearest(mid, radiusSqr, hits);
+    forAll(nodes, i)
+    {
+        if (!hits[i].hit())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Patch " << name << " of region " << mesh_.name()
+                << ": no point of the surface within " << ::sqrt(radiusSqr[i])
+                << " m of the mid-side node at " << mid[i] << exit(FatalIOError);
+        }
+        vector& d = move[nodes[i]];
+        d = hits[i].hitPoint() - mid[i];
+        if (dim_ == 2) d[axes_[2]] = 0;
+    }
+}
+
+
+void Foam::feMesh::curvePatches(const dictionary& dict)
 {
     vectorField move(nNodes(), Zero);
-
-    for (const entry& dEntry : dict)
+    for (const entry& e : dict)
     {
-        const word name(dEntry.keyword());
-        const label patchi = patchIndex(name, dict);
-        const autoPtr<searchableSurface> surface = searchableSurface::New
-        (
-            dEntry.dict().get<word>("type"),
-            IOobject
-            (
-                name, mesh_.time().constant(), "triSurface", mesh_.time(),
-                IOobject::MUST_READ, IOobject::NO_WRITE, false
-            ),
-            dEntry.dict()
-        );
-
-        for (const elementBlock& block : patchBlocks_[patchi])
-        {
-            const secondOrder s = secondOrder::of(block.shape);
-            for (label e = 0; e < block.size(); ++e)
-            {
-                const label* n = block.element(e);
-                pointField mid(s.nEdges);
-                scalarField radiusSqr(s.nEdges);
-                for (label i = 0; i < s.nEdges; ++i)
-                {
-                    const point& a = points_[n[s.edges[i][0]]];
-                    const point& b = points_[n[s.edges[i][1]]];
-                    mid[i] = 0.5*(a + b);
-                    radiusSqr[i] = magSqr(b - a);
-                }
-                List<pointIndexHit> hits;
-                surface->findNearest(mid, radiusSqr, hits);
-                for (label i = 0; i < s.nEdges; ++i)
-                {
-                    if (!hits[i].hit())
-                    {
-                        FatalIOErrorInFunction(dEntry.dict())
-                            << "Patch " << name << " of region " << mesh_.name()
-                            << ": no point of the surface within "
-                            << ::sqrt(radiusSqr[i]) << " m of the mid-side node at "
-                            << mid[i] << exit(FatalIOError);
-                    }
-                    vector d = hits[i].hitPoint() - mid[i];
-                    if (dim_ == 2) d[axes_[2]] = 0;
-                    move[n[s.nVertices + i]] = d;
-                }
-            }
-        }
+        curvePatch(patchIndex(e.keyword(), dict), e.dict(), move);
     }
-
-    // An edge of the patch may belong to a rank that has no face there
-    vectorField edgeMove(mesh_.nEdges(), Zero);
-    labelList nodeOfEdge(mesh_.nEdges(), -1);
-    forAll(mesh_.edges(), i)
-    {
-        const edge& e = mesh_.edges()[i];
-        const label a = pointNode_[e[0]], b = pointNode_[e[1]];
-        if (vertexPoint_[a] != e[0] || vertexPoint_[b] != e[1]) continue;
-        const auto found = edgeNode.cfind(edge(a, b));
-        if (found.found())
-        {
-            nodeOfEdge[i] = *found;
-            edgeMove[i] = move[*found];
-        }
-    }
-    syncTools::syncEdgeList(mesh_, edgeMove, maxMagSqrEqOp<vector>(), vector::zero);
-    forAll(nodeOfEdge, i) if (nodeOfEdge[i] >= 0) points_[nodeOfEdge[i]] += edgeMove[i];
+    points_ += move;
 }
 
 
@@ -226,70 +210,9 @@ void Foam::feMesh::centreNodes()
 }
 
 
-void Foam::feMesh::makeKeys(const EdgeMap<label>& edgeNode)
+void Foam::feMesh::makeParents()
 {
-    const globalIndex numbering(nNodes());
-    key_.setSize(nNodes());
-    forAll(key_, n) key_[n] = numbering.toGlobal(n);
-    if (!Pstream::parRun()) return;
-
-    // Every copy takes the smallest of their numbers
-    labelList pointKey(mesh_.nPoints(), labelMax);
-    forAll(vertexPoint_, n) pointKey[vertexPoint_[n]] = key_[n];
-    syncTools::syncPointList(mesh_, pointKey, minEqOp<label>(), labelMax);
-    forAll(vertexPoint_, n) key_[n] = pointKey[vertexPoint_[n]];
-    if (order_ == 1) return;
-
-    const auto edgeNodeOf = [&](const edge& e)
-    {
-        const label a = pointNode_[e[0]], b = pointNode_[e[1]];
-        if (vertexPoint_[a] != e[0] || vertexPoint_[b] != e[1]) return label(-1);
-        const auto found = edgeNode.cfind(edge(a, b));
-        return found.found() ? *found : label(-1);
-    };
-    labelList edgeKey(mesh_.nEdges(), labelMax);
-    forAll(edgeKey, i)
-    {
-        const label n = edgeNodeOf(mesh_.edges()[i]);
-        if (n >= 0) edgeKey[i] = key_[n];
-    }
-    syncTools::syncEdgeList(mesh_, edgeKey, minEqOp<label>(), labelMax);
-    forAll(edgeKey, i)
-    {
-        const label n = edgeNodeOf(mesh_.edges()[i]);
-        if (n >= 0) key_[n] = edgeKey[i];
-    }
-    if (dim_ == 2) return;
-
-    const auto quadNodeOf = [&](const face& f)
-    {
-        if (f.size() != 4) return label(-1);
-        quadKey key;
-        forAll(f, j) key[j] = f[j];
-        std::sort(key.begin(), key.end());
-        const auto found = quadNode_.cfind(key);
-        return found.found() ? *found : label(-1);
-    };
-    labelList faceKey(mesh_.nFaces(), labelMax);
-    forAll(faceKey, i)
-    {
-        const label n = quadNodeOf(mesh_.faces()[i]);
-        if (n >= 0) faceKey[i] = key_[n];
-    }
-    syncTools::syncFaceList(mesh_, faceKey, minEqOp<label>());
-    forAll(faceKey, i)
-    {
-        const label n = quadNodeOf(mesh_.faces()[i]);
-        if (n >= 0) key_[n] = faceKey[i];
-    }
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::feMesh::parents(List<labelList>& parent) const
-{
-    parent.setSize(nNodes());
+    parents_.setSize(nNodes());
     if (order_ == 1) return;
 
     for (const elementBlock& block : blocks_)
@@ -300,22 +223,96 @@ void Foam::feMesh::parents(List<labelList>& parent) const
             const label* n = block.element(e);
             for (label i = 0; i < s.nEdges; ++i)
             {
-                parent[n[s.nVertices + i]] = labelList({n[s.edges[i][0]], n[s.edges[i][1]]});
+                parents_[n[s.nVertices + i]] = labelList({n[s.edges[i][0]], n[s.edges[i][1]]});
             }
             for (label i = 0; i < s.nQuads; ++i)
             {
-                labelList& p = parent[n[s.nVertices + s.nEdges + i]];
+                labelList& p = parents_[n[s.nVertices + s.nEdges + i]];
                 p.setSize(4);
                 for (label j = 0; j < 4; ++j) p[j] = n[s.quads[i][j]];
             }
             if (s.solid)
             {
-                labelList& p = parent[n[26]];
+                labelList& p = parents_[n[26]];
                 p.setSize(8);
                 for (label j = 0; j < 8; ++j) p[j] = n[j];
             }
         }
     }
+}
+
+
+Foam::labelList Foam::feMesh::processorNodes
+(
+    const processorPolyPatch& pp,
+    const EdgeMap<label>& edgeNode
+) const
+{
+    DynamicList<label> nodes;
+    for (const face& f : pp)
+    {
+        // The neighbour's face has the same first point and turns back
+        const face g(pp.owner() ? f : f.reverseFace());
+        forAll(g, i)
+        {
+            const label a = pointNode_[g[i]], b = pointNode_[g.nextLabel(i)];
+            nodes.append(a);
+            const auto found = edgeNode.cfind(edge(a, b));
+            if (found.found()) nodes.append(*found);
+        }
+        if (dim_ == 2 || f.size() != 4) continue;
+        quadKey key(f);
+        std::sort(key.begin(), key.end());
+        const auto found = quadNode_.cfind(key);
+        if (found.found()) nodes.append(*found);
+    }
+    return labelList(nodes);
+}
+
+
+void Foam::feMesh::makeKeys(const EdgeMap<label>& edgeNode)
+{
+    const globalIndex numbering(nNodes());
+    key_.setSize(nNodes());
+    forAll(key_, n) key_[n] = numbering.toGlobal(n);
+
+    // Not those of cyclics, which syncTools would join
+    DynamicList<label> neighbours;
+    DynamicList<labelList> shared;
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        if (!isType<processorPolyPatch>(pp)) continue;
+        const auto& processorPatch = refCast<const processorPolyPatch>(pp);
+        neighbours.append(processorPatch.neighbProcNo());
+        shared.append(processorNodes(processorPatch, edgeNode));
+    }
+
+    // Every copy takes the smallest number, handed on from rank to rank
+    bool changed = Pstream::parRun();
+    while (changed)
+    {
+        changed = false;
+        PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+        forAll(neighbours, i)
+        {
+            UOPstream toNeighbour(neighbours[i], buffers);
+            toNeighbour << labelList(UIndirectList<label>(key_, shared[i]));
+        }
+        buffers.finishedSends();
+        forAll(neighbours, i)
+        {
+            UIPstream fromNeighbour(neighbours[i], buffers);
+            const labelList theirs(fromNeighbour);
+            forAll(theirs, j)
+            {
+                label& key = key_[shared[i][j]];
+                changed = changed || theirs[j] < key;
+                key = min(key, theirs[j]);
+            }
+        }
+        reduce(changed, orOp<bool>());
+    }
+    copies_.reset(new nodeMap(key_, labelList(nNodes(), 1)));
 }
 
 

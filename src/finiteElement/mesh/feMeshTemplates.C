@@ -15,12 +15,10 @@ Foam::tmp<Foam::Field<Type>> Foam::feMesh::interpolate
 
     for (label n = 0; n < nVertices_; ++n) v[n] = pointValues[vertexPoint_[n]];
 
-    List<labelList> parent;
-    parents(parent);
     for (label n = nVertices_; n < nNodes(); ++n)
     {
-        for (const label m : parent[n]) v[n] += v[m];
-        v[n] /= scalar(parent[n].size());
+        for (const label m : parents_[n]) v[n] += v[m];
+        v[n] /= scalar(parents_[n].size());
     }
     return tnodeValues;
 }

@@ -6,6 +6,9 @@
 
 #include "feRegion.H"
 #include "points0MotionSolver.H"
+#include "feValues.H"
+#include "gatherAll.H"
+#include "OStringStream.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -16,12 +19,27 @@ namespace Foam
 }
 
 
-const char* Foam::feRegion::outcomeName(const label o)
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
 {
-    static const char* names[] =
-        {"converged", "maxIterations", "diverged", "invertedElement", "singular"};
-    return names[o];
+
+//- The region's own body acceleration, or else that of the case
+static IOobject gObject(const fvMesh& mesh)
+{
+    IOobject own
+    (
+        "g", mesh.time().constant(), mesh, IOobject::READ_IF_PRESENT, IOobject::NO_WRITE
+    );
+    if (own.typeHeaderOk<uniformDimensionedVectorField>()) return own;
+    return IOobject
+    (
+        "g", mesh.time().constant(), mesh.time(), IOobject::READ_IF_PRESENT, IOobject::NO_WRITE,
+        false
+    );
 }
+
+} // End namespace Foam
 
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
@@ -35,7 +53,7 @@ Foam::IOobject Foam::feRegion::dictObject
 {
     return IOobject
     (
-        name, instance, mesh, IOobject::MUST_READ_IF_MODIFIED, IOobject::NO_WRITE
+        name, instance, mesh, IOobject::MUST_READ, IOobject::NO_WRITE
     );
 }
 
@@ -48,13 +66,10 @@ Foam::IOdictionary Foam::feRegion::readSchemes(const fvMesh& mesh)
 }
 
 
-void Foam::feRegion::addVector(const vectorField& f, scalarField& R) const
+Foam::scalar Foam::feRegion::stageTime() const
 {
-    forAll(f, n)
-    {
-        const label start = map_->start(systemNode_[n]);
-        for (label a = 0; a < fe().dim(); ++a) R[start + a] += f[n][fe().axis(a)];
-    }
+    const feTimeScheme& ts = timeScheme();
+    return mesh_.time().value() - (1 - ts.alphaF())*ts.deltaT();
 }
 
 
@@ -73,25 +88,14 @@ Foam::feRegion::feRegion(fvMesh& mesh, const label order)
     mesh_(mesh),
     schemes_(dictObject("feSchemes", mesh.time().system(), mesh)),
     timeScheme_(feTimeScheme::New(schemes_.subDict("timeScheme"))),
-    fe_
-    (
-        new feMesh
-        (
-            mesh, order, schemes_,
-            pointIOField(points0MotionSolver::points0IO(mesh))
-        )
-    ),
+    order_(order),
     g_
     (
-        IOobject
-        (
-            "g", mesh.time().constant(), mesh,
-            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE
-        ),
+        gObject(mesh),
         dimensionedVector("g", dimAcceleration, Zero)
     ),
-    map_(nullptr),
-    force_(fe_->nNodes(), Zero),
+    points0_(pointIOField(points0MotionSolver::points0IO(mesh))),
+    fe_(new feMesh(mesh, order, schemes_, points0_)),
     minDetJ_(GREAT)
 {}
 
@@ -100,7 +104,8 @@ Foam::autoPtr<Foam::feRegion> Foam::feRegion::New
 (
     const word& type,
     const dictionary& where,
-    fvMesh& mesh
+    fvMesh& mesh,
+    const dictionary& linearSolver
 )
 {
     auto cstrIter = meshConstructorTablePtr_->cfind(type);
@@ -111,25 +116,139 @@ Foam::autoPtr<Foam::feRegion> Foam::feRegion::New
             where, "region solver", type, *meshConstructorTablePtr_
         ) << exit(FatalIOError);
     }
-    return cstrIter()(mesh);
+    return cstrIter()(mesh, linearSolver);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::feRegion::connect
+void Foam::feRegion::discretise(const stateMap* map)
+{
+    if (map) state_.map(*map);
+    scatter_.clear();
+    unknowns_.clear();
+
+    // The first has been made by the constructor, so that its errors come first
+    if (layout_.valid())
+    {
+        layout_.clear();
+        fe_.reset(new feMesh(mesh_, order_, schemes_, points0_));
+    }
+    layout_.reset(new fieldLayout(fe_(), fields()));
+    force_ = vectorField(fe_->nNodes(), Zero);
+    makeFields();
+}
+
+
+void Foam::feRegion::number
 (
-    const labelUList& systemNode,
-    const nodeMap& map
+    const nodeMap& map,
+    const labelUList& node,
+    const UList<labelList>& offset
 )
 {
-    systemNode_ = systemNode;
-    map_ = &map;
+    unknowns_.reset(new fieldUnknowns(layout_(), map, node, offset));
+}
+
+
+void Foam::feRegion::connect()
+{
     scatter_.clear();
+    for (const elementBlock& block : elementBlocks())
+    {
+        scatter_.append(new elementScatter(block, unknowns_()));
+    }
+    connected();
+}
+
+
+void Foam::feRegion::colour(const feMatrix& K)
+{
+    // Masters are met by elements at them, too
+    labelHashSet masters;
+    List<List<labelList>> nodes(scatter_.size());
+    forAll(scatter_, b)
+    {
+        nodes[b] = K.constrainedNodes(scatter_[b]);
+        for (const labelList& m : nodes[b]) masters.insert(m);
+    }
+    if (masters.empty()) return;
+    forAll(scatter_, b)
+    {
+        const elementScatter& s = scatter_[b];
+        forAll(nodes[b], e) for (label i = 0; i < s.nRow; ++i)
+        {
+            const label node = s.rowNodes[e*s.nRow + i];
+            if (masters.found(node)) nodes[b][e].append(node);
+        }
+        elementBlocks()[b].colour(fe_->nNodes(), nodes[b], unknowns_->map().nNodes());
+    }
+}
+
+
+Foam::string Foam::feRegion::worstElement() const
+{
+    const vectorField x(fe().points() + motion().D);
+    scalar worst = GREAT;
+    string what;
     for (const elementBlock& block : fe().blocks())
     {
-        scatter_.append(new elementScatter(block, systemNode_, systemNode_));
+        withElement(block, [&](auto tag)
+        {
+            typedef decltype(tag) E;
+            if (E::dim != fe().dim()) return;
+            feValues<double, E> w;
+            Vec<double, E::dim> xe[E::nNodes];
+            for (label e = 0; e < block.size(); ++e)
+            {
+                point centre = Zero;
+                for (int i = 0; i < E::nNodes; ++i)
+                {
+                    const vector& xi = x[block.element(e)[i]];
+                    for (int a = 0; a < E::dim; ++a) xe[i][a] = xi[fe().axis(a)];
+                    centre += xi/E::nNodes;
+                }
+                for (int q = 0; q < w.nQ; ++q)
+                {
+                    w.reinit(xe, q);
+                    if (w.detJ >= worst) continue;
+                    worst = w.detJ;
+                    OStringStream os;
+                    os << "cell " << block.cells[e] << " (" << E::name << ") at " << centre;
+                    what = os.str();
+                }
+            }
+        });
     }
+
+    // The patch whose nodes have moved most is the one that drives it
+    scalar most = SMALL;
+    label driver = -1;
+    forAll(mesh_.boundaryMesh(), patchi)
+    {
+        if (polyPatch::constraintType(mesh_.boundaryMesh()[patchi].type())) continue;
+        for (const label n : fe().patchNodes(patchi))
+        {
+            if (mag(motion().D[n]) <= most) continue;
+            most = mag(motion().D[n]);
+            driver = patchi;
+        }
+    }
+    const scalar mostOfAll = returnReduce(most, maxOp<scalar>());
+    const scalar mine = worst;
+    reduce(worst, minOp<scalar>());
+    if (mine > worst) what.clear();
+    for (const string& s : gatherAll<string>(List<string>(1, what))) if (!s.empty()) what = s;
+    driver = returnReduce(most == mostOfAll ? driver : -1, maxOp<label>());
+
+    OStringStream os;
+    os << what.c_str() << " has a map of determinant " << worst;
+    if (driver >= 0)
+    {
+        os << "; patch " << mesh_.boundaryMesh()[driver].name() << " has moved most, by "
+            << mostOfAll << " m";
+    }
+    return os.str();
 }
 
 

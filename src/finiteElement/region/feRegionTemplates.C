@@ -40,6 +40,7 @@ void Foam::feRegion::toCells
     forAll(field.boundaryFieldRef(), patchi)
     {
         auto& pf = field.boundaryFieldRef()[patchi];
+        if (pf.coupled()) continue;
         for (const elementBlock& block : fe().patchBlocks(patchi))
         {
             withFaceElement(block, [&](auto E)

@@ -6,24 +6,58 @@
 
 #include "nodalBoundary.H"
 #include "feValues.H"
+#include "calculatedPointPatchField.H"
+#include "zeroGradientPointPatchField.H"
 #include "basicSymmetryPointPatchField.H"
-#include "slipPointPatchField.H"
+#include "symmetryPointPatchField.H"
 #include "symmetryPlanePointPatchField.H"
+#include "slipPointPatchField.H"
+#include "fixedNormalSlipPointPatchField.H"
+#include "wedgePointPatchField.H"
+#include "cyclicPointPatchField.H"
+#include "emptyPointPatchField.H"
+#include "processorPointPatchField.H"
+#include "processorCyclicPointPatchField.H"
+#include "IStringStream.H"
+#include "OStringStream.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-bool Foam::nodalBoundary::isSlip(const word& type)
+namespace Foam
 {
-    return type == "slip" || type == "symmetry" || type == "symmetryPlane";
+
+//- The patch's condition is of one of these classes itself, not of a derived
+//  one that may mean something else
+template<class... Classes, class Patch>
+static bool isOneOf(const Patch& pf)
+{
+    return (... || (typeid(pf) == typeid(Classes)));
 }
 
 
-Foam::tmp<Foam::vectorField> Foam::nodalBoundary::normals
-(
-    const label patchi,
-    const labelUList& systemNode,
-    const nodeMap& map
-) const
+//- Normal of a fixedNormalSlip, which keeps it to itself
+static vector givenNormal(const pointPatchVectorField& pf)
+{
+    OStringStream os;
+    pf.write(os);
+    IStringStream is(os.str());
+    const vector n(dictionary(is).get<vector>("n"));
+    if (mag(n) < VSMALL)
+    {
+        FatalErrorInFunction
+            << "Patch " << pf.patch().name() << " of type " << pf.type()
+            << " has the normal " << n << ", expected one that is not nil"
+            << exit(FatalError);
+    }
+    return n/mag(n);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::tmp<Foam::vectorField> Foam::nodalBoundary::normals(const label patchi) const
 {
     tmp<vectorField> tn(new vectorField(fe_.nNodes(), Zero));
     vectorField& n = tn.ref();
@@ -58,14 +92,233 @@ Foam::tmp<Foam::vectorField> Foam::nodalBoundary::normals
     }
 
     // The copies of a node see different faces
-    for (label a = 0; a < fe_.dim(); ++a)
+    if (Pstream::parRun()) for (label a = 0; a < fe_.dim(); ++a)
     {
-        scalarField na(map.nUnknowns(), 0);
-        forAll(n, i) if (map.nUnknowns(systemNode[i])) na[map.start(systemNode[i])] = n[i][fe_.axis(a)];
-        map.sum(na);
-        forAll(n, i) if (map.nUnknowns(systemNode[i])) n[i][fe_.axis(a)] = na[map.start(systemNode[i])];
+        scalarField na(n.component(fe_.axis(a)));
+        fe_.copies().sum(na);
+        forAll(n, i) n[i][fe_.axis(a)] = na[i];
     }
     return tn;
+}
+
+
+void Foam::nodalBoundary::addPlanes(const label patchi)
+{
+    const pointPatchVectorField& pf = field_.boundaryField()[patchi];
+    const labelList& nodes = fe_.patchNodes(patchi);
+
+    if (const auto* given = dynamic_cast<const nodalComponents*>(&pf))
+    {
+        for (const label i : nodes) forAll(given->directions(), d)
+        {
+            planes_(i).append({given->directions()[d], patchi, d});
+        }
+    }
+    else if (isA<fixedNormalSlipPointPatchField<vector>>(pf))
+    {
+        const vector n(givenNormal(pf));
+        for (const label i : nodes) planes_(i).append({n, patchi, -1});
+    }
+    else if (isSliding(pf))
+    {
+        const vectorField n(normals(patchi));
+        for (const label i : nodes)
+        {
+            if (mag(n[i]) > VSMALL) planes_(i).append({n[i]/mag(n[i]), patchi, -1});
+        }
+    }
+}
+
+
+Foam::nodalBoundary::frame Foam::nodalBoundary::frameAt
+(
+    const label node,
+    const scalar t
+) const
+{
+    frame f;
+    for (const plane& p : planes_[node])
+    {
+        vector n = p.n;
+        scalar value = 0;
+        if (p.direction >= 0)
+        {
+            const auto& pf = field_.boundaryField()[p.patch];
+            value = dynamic_cast<const nodalComponents&>(pf)
+                .component(p.direction, fe_.points()[node], t);
+        }
+        if (fe_.dim() == 2) n[fe_.axis(2)] = 0;
+        forAll(f.n, k)
+        {
+            const scalar along = p.n & f.n[k];
+            n -= along*f.n[k];
+            value -= along*f.value[k];
+        }
+        if (mag(n) < 1e-3) continue;
+        f.n.append(n/mag(n));
+        f.value.append(value/mag(n));
+    }
+    return f;
+}
+
+
+void Foam::nodalBoundary::constrainPlanes
+(
+    const label node,
+    const fieldUnknowns& unknowns,
+    const label f,
+    dofConstraints& c
+) const
+{
+    typedef dofConstraints::term term;
+    const label dim = fe_.dim(), start = unknowns.start(f, node);
+    const frame at(frameAt(node, fe_.mesh().time().timeOutputValue()));
+
+    const auto cmpt = [&](const vector& v, const label a) { return v[fe_.axis(a)]; };
+    const auto largest = [&](const vector& v)
+    {
+        // The first of components that are alike to round-off, on any rank
+        label k = 0;
+        for (label a = 1; a < dim; ++a) if (mag(cmpt(v, a)) > (1 + 1e-6)*mag(cmpt(v, k))) k = a;
+        return k;
+    };
+    if (at.n.size() >= dim)
+    {
+        for (label a = 0; a < dim; ++a)
+        {
+            scalar b = 0;
+            forAll(at.n, k) b += at.value[k]*cmpt(at.n[k], a);
+            c.tie(start + a, List<term>(), b);
+        }
+    }
+    else if (at.n.size() == 1)
+    {
+        // u_k = (g - sum_a n_a u_a)/n_k
+        const vector& n = at.n[0];
+        const label k = largest(n);
+        DynamicList<term> row;
+        for (label a = 0; a < dim; ++a)
+        {
+            const scalar w = -cmpt(n, a)/cmpt(n, k);
+            if (a != k && mag(w) > 1e-10) row.append({start + a, w});
+        }
+        c.tie(start + k, row, at.value[0]/cmpt(n, k));
+    }
+    else
+    {
+        // On the line of two planes, u = u0 + s t: u_a = u0_a + t_a (u_k - u0_k)/t_k
+        const vector t = at.n[0] ^ at.n[1];
+        const vector u0 = at.value[0]*at.n[0] + at.value[1]*at.n[1];
+        const label k = largest(t);
+        for (label a = 0; a < dim; ++a)
+        {
+            if (a == k) continue;
+            const scalar w = cmpt(t, a)/cmpt(t, k);
+            DynamicList<term> row;
+            if (mag(w) > 1e-10) row.append({start + k, w});
+            c.tie(start + a, row, cmpt(u0, a) - w*cmpt(u0, k));
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+template<class Type>
+bool Foam::nodalBoundary::isNatural(const pointPatchField<Type>& pf)
+{
+    // What a calculated patch of ours means is its own matter
+    return
+        dynamic_cast<const surfaceLoad*>(&pf)
+     || isOneOf<calculatedPointPatchField<Type>, zeroGradientPointPatchField<Type>>(pf);
+}
+
+
+bool Foam::nodalBoundary::isSliding(const pointPatchVectorField& pf)
+{
+    return isOneOf
+    <
+        slipPointPatchField<vector>, symmetryPointPatchField<vector>,
+        symmetryPlanePointPatchField<vector>, wedgePointPatchField<vector>,
+        fixedNormalSlipPointPatchField<vector>
+    >(pf);
+}
+
+
+bool Foam::nodalBoundary::constrains(const pointPatchVectorField& pf)
+{
+    return
+        isA<valuePointPatchField<vector>>(pf) || isSliding(pf)
+     || dynamic_cast<const nodalComponents*>(&pf);
+}
+
+
+template<class Type>
+void Foam::nodalBoundary::check
+(
+    const GeometricField<Type, pointPatchField, pointMesh>& field
+)
+{
+    for (const pointPatchField<Type>& pf : field.boundaryField())
+    {
+        const bool constraint = isOneOf
+        <
+            emptyPointPatchField<Type>, processorPointPatchField<Type>,
+            processorCyclicPointPatchField<Type>, cyclicPointPatchField<Type>,
+            symmetryPointPatchField<Type>, symmetryPlanePointPatchField<Type>,
+            wedgePointPatchField<Type>
+        >(pf);
+        const bool vectorOnly =
+            std::is_same<Type, vector>::value
+         && (
+                isOneOf<slipPointPatchField<Type>, fixedNormalSlipPointPatchField<Type>>(pf)
+             || dynamic_cast<const nodalComponents*>(&pf)
+            );
+        if (constraint || vectorOnly || isNatural(pf) || isA<valuePointPatchField<Type>>(pf)) continue;
+
+        FatalErrorInFunction
+            << "Patch " << pf.patch().name() << " of field " << field.objectPath()
+            << " is of type " << pf.type() << ", which is not understood here: it"
+            << " would be a free boundary in silence." << nl
+            << "Understood are types with values (fixedValue, uniformFixedValue,"
+            << " nodalProfile, ...), slip, fixedNormalSlip, fixedComponents,"
+            << " symmetry, symmetryPlane, wedge, cyclic, empty; for free boundaries"
+            << " calculated, zeroGradient, and the loads openBoundary, traction,"
+            << " followerPressure" << exit(FatalError);
+    }
+}
+
+
+namespace Foam
+{
+    template bool nodalBoundary::isNatural(const pointPatchField<scalar>&);
+    template bool nodalBoundary::isNatural(const pointPatchField<vector>&);
+    template void nodalBoundary::check(const pointScalarField&);
+    template void nodalBoundary::check(const pointVectorField&);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::nodalBoundary::nodalBoundary(const feMesh& fe, pointVectorField& field)
+:
+    fe_(fe),
+    field_(field),
+    cyclic_(fe),
+    patchOf_(fe.nNodes(), 0)
+{
+    check(field);
+    forAll(field.boundaryField(), patchi)
+    {
+        if (isA<valuePointPatchField<vector>>(field.boundaryField()[patchi]))
+        {
+            for (const label n : fe.patchNodes(patchi)) patchOf_[n] = patchi + 1;
+        }
+        else
+        {
+            addPlanes(patchi);
+        }
+    }
 }
 
 
@@ -73,94 +326,54 @@ Foam::tmp<Foam::vectorField> Foam::nodalBoundary::normals
 
 void Foam::nodalBoundary::constrain
 (
-    const pointVectorField& field,
-    const labelUList& systemNode,
-    const nodeMap& map,
-    dofConstraints& c
+    const fieldUnknowns& unknowns,
+    const label f,
+    dofConstraints& c,
+    const labelHashSet& leftOut
 ) const
 {
-    const label dim = fe_.dim();
-
-    // Orthonormal normals of the slip patches met at each node
-    List<DynamicList<vector>> slip(fe_.nNodes());
-    forAll(field.boundaryField(), patchi)
+    for (const label n : planes_.sortedToc()) constrainPlanes(n, unknowns, f, c);
+    cyclic_.tie(unknowns, f, c);
+    forAll(patchOf_, n)
     {
-        if (!isSlip(field.boundaryField()[patchi].type())) continue;
-        const vectorField n(normals(patchi, systemNode, map));
-        forAll(n, i)
-        {
-            if (mag(n[i]) < VSMALL) continue;
-            vector u = n[i]/mag(n[i]);
-            for (const vector& v : slip[i]) u -= (u & v)*v;
-            if (mag(u) > 1e-3) slip[i].append(u/mag(u));
-        }
-    }
-
-    forAll(slip, i)
-    {
-        const label start = map.start(systemNode[i]), nSlip = slip[i].size();
-        if (!nSlip) continue;
-
-        const auto cmpt = [&](const vector& v, const label a) { return v[fe_.axis(a)]; };
-        const auto largest = [&](const vector& v)
-        {
-            label k = 0;
-            for (label a = 1; a < dim; ++a) if (mag(cmpt(v, a)) > mag(cmpt(v, k))) k = a;
-            return k;
-        };
-        if (nSlip >= dim)
-        {
-            for (label a = 0; a < dim; ++a) c.fix(start + a);
-        }
-        else if (nSlip == 1)
-        {
-            // u_k = -sum_a n_a u_a/n_k
-            const vector& n = slip[i][0];
-            const label k = largest(n);
-            DynamicList<dofConstraints::term> row;
-            for (label a = 0; a < dim; ++a)
-            {
-                const scalar w = -cmpt(n, a)/cmpt(n, k);
-                if (a != k && mag(w) > 1e-10) row.append({start + a, w});
-            }
-            if (row.empty()) c.fix(start + k);
-            else c.tie(start + k, row);
-        }
-        else
-        {
-            // On the line of two planes: u_a = t_a u_k/t_k
-            const vector t = slip[i][0] ^ slip[i][1];
-            const label k = largest(t);
-            for (label a = 0; a < dim; ++a)
-            {
-                if (a == k) continue;
-                const scalar w = cmpt(t, a)/cmpt(t, k);
-                if (mag(w) < 1e-10) c.fix(start + a);
-                else c.tie(start + a, List<dofConstraints::term>(1, dofConstraints::term{start + k, w}));
-            }
-        }
-    }
-
-    for (const label n : fixedNodes(field))
-    {
-        for (label a = 0; a < dim; ++a) c.fix(map.start(systemNode[n]) + a);
+        if (!patchOf_[n] || leftOut.found(n)) continue;
+        for (label a = 0; a < fe_.dim(); ++a) c.fix(unknowns.start(f, n) + a);
     }
 }
 
 
-void Foam::nodalBoundary::constrain
+bool Foam::nodalBoundary::project
 (
-    const pointScalarField& field,
-    const labelUList& systemNode,
-    const nodeMap& map,
-    const label cmpt,
-    dofConstraints& c
+    vectorField& u,
+    const scalar t,
+    const bool homogeneous
 ) const
 {
-    for (const label n : fixedNodes(field))
+    bool changed = false;
+    forAllConstIters(planes_, iter)
     {
-        if (map.nUnknowns(systemNode[n]) > cmpt) c.fix(map.start(systemNode[n]) + cmpt);
+        const label i = iter.key();
+        if (patchOf_[i]) continue;
+        const frame at(frameAt(i, t));
+        forAll(at.n, k)
+        {
+            const scalar g = homogeneous ? 0 : at.value[k];
+            const scalar excess = (at.n[k] & u[i]) - g;
+            if (mag(excess) <= 1e-13*(mag(u[i]) + mag(g))) continue;
+            u[i] -= excess*at.n[k];
+            changed = true;
+        }
     }
+
+    // Partners of cyclic patches, without an exchange where there are none
+    return cyclic_.follow(u) || changed;
+}
+
+
+Foam::word Foam::nodalBoundary::patchName(const label node) const
+{
+    const label patchi = patchOf_[node] ? patchOf_[node] - 1 : planes_[node][0].patch;
+    return fe_.mesh().boundaryMesh()[patchi].name();
 }
 
 

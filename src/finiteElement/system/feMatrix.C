@@ -11,18 +11,59 @@
 
 // * * * * * * * * * * * * * * * elementScatter * * * * * * * * * * * * * * * //
 
+void Foam::elementScatter::gather
+(
+    const elementBlock& block,
+    const fieldUnknowns& unknowns,
+    label& n,
+    labelList& nodes,
+    List<part>& parts
+)
+{
+    const fieldLayout& layout = unknowns.layout();
+    n = block.nNodes + (layout.hasCells() ? 1 : 0);
+    nodes.setSize(block.size()*n);
+    const auto entity = [&](const label e, const label i)
+    {
+        return i < block.nNodes ? block.element(e)[i] : layout.fe().nNodes() + block.cells[e];
+    };
+    for (label e = 0; e < block.size(); ++e)
+    {
+        for (label i = 0; i < n; ++i) nodes[e*n + i] = unknowns.node(entity(e, i));
+    }
+
+    parts.setSize(layout.nFields());
+    forAll(parts, f)
+    {
+        part& p = parts[f];
+        const fieldLayout::support on = layout[f].on;
+        p.nCmpts = layout.nComponents(f);
+        p.first = on == fieldLayout::support::CELLS ? block.nNodes : 0;
+        p.n =
+            on == fieldLayout::support::CELLS ? 1
+          : on == fieldLayout::support::NODES ? block.nNodes : block.nVertices();
+        p.offset.setSize(block.size()*n, 0);
+        for (label e = 0; e < block.size(); ++e) for (label i = p.first; i < p.first + p.n; ++i)
+        {
+            const label start = unknowns.start(f, layout.value(f, entity(e, i)));
+            p.offset[e*n + i] = start - unknowns.map().start(nodes[e*n + i]);
+        }
+    }
+}
+
+
 Foam::elementScatter::elementScatter
 (
     const elementBlock& block,
-    const labelUList& rowNode,
-    const labelUList& colNode
+    const fieldUnknowns& rowUnknowns,
+    const fieldUnknowns& colUnknowns
 )
 :
-    n(block.nNodes),
-    rowNodes(UIndirectList<label>(rowNode, block.nodes)()),
-    colNodes(UIndirectList<label>(colNode, block.nodes)()),
     tied(block.size(), false)
-{}
+{
+    gather(block, rowUnknowns, nRow, rowNodes, rows);
+    gather(block, colUnknowns, nCol, colNodes, cols);
+}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -33,32 +74,52 @@ void Foam::feMatrix::addToGraph
     List<DynamicList<label>>& graph
 ) const
 {
+    List<labelList> masters;
+    if (constraints_) masters = constrainedNodes(block);
     for (label e = 0; e < block.nElements(); ++e)
     {
-        const label* I = &block.rowNodes[e*block.n];
-        const label* J = &block.colNodes[e*block.n];
-        if (!block.tied[e])
+        const label* I = &block.rowNodes[e*block.nRow];
+        const label* J = &block.colNodes[e*block.nCol];
+        for (label i = 0; i < block.nRow; ++i)
         {
-            for (label i = 0; i < block.n; ++i)
-            {
-                for (label j = 0; j < block.n; ++j) graph[I[i]].append(J[j]);
-            }
-            continue;
+            for (label j = 0; j < block.nCol; ++j) graph[I[i]].append(J[j]);
         }
+        if (masters.empty() || masters[e].empty()) continue;
 
         // Nodes of the masters join those of the element
-        labelHashSet all;
-        for (label i = 0; i < block.n; ++i)
+        for (const label m : masters[e])
         {
-            all.insert(I[i]);
-            for (label u = rows_.start(I[i]); u < rows_.start(I[i] + 1); ++u)
+            for (label i = 0; i < block.nRow; ++i)
             {
-                if (!constraints_->isTied(u)) continue;
-                for (const auto& t : constraints_->masters(u)) all.insert(colNodeOf_[t.unknown]);
+                graph[I[i]].append(m);
+                graph[m].append(J[i]);
             }
+            graph[m].append(masters[e]);
         }
-        for (const label i : all) for (const label j : all) graph[i].append(j);
     }
+}
+
+
+Foam::List<Foam::labelList> Foam::feMatrix::constrainedNodes
+(
+    const elementScatter& block
+) const
+{
+    List<labelList> masters(block.nElements());
+    for (label e = 0; e < block.nElements(); ++e)
+    {
+        if (!block.tied[e]) continue;
+        const SubList<label> own(block.rowNodes, block.nRow, e*block.nRow);
+        labelHashSet all;
+        for (const label I : own) for (label u = rows_.start(I); u < rows_.start(I + 1); ++u)
+        {
+            if (!constraints_->isTied(u)) continue;
+            for (const auto& t : constraints_->masters(u)) all.insert(rowNodeOf_[t.unknown]);
+        }
+        for (const label I : own) all.erase(I);
+        masters[e] = all.sortedToc();
+    }
+    return masters;
 }
 
 
@@ -71,6 +132,13 @@ Foam::label Foam::feMatrix::position
     const label* begin = &nodeCol_[nodeStart_[rowNode]];
     const label* end = begin + nodeStart_[rowNode + 1] - nodeStart_[rowNode];
     const label* found = std::lower_bound(begin, end, colNode);
+    if (found == end || *found != colNode)
+    {
+        FatalErrorInFunction
+            << "Nodes " << rowNode << " and " << colNode << " have no element in"
+            << " common, nor a constraint that joins them: no place in the matrix"
+            << abort(FatalError);
+    }
     return nodeOffset_[nodeStart_[rowNode] + (found - begin)];
 }
 
@@ -82,10 +150,8 @@ void Foam::feMatrix::addEntry
     const scalar value
 )
 {
-    const label I = colNodeOf_[row], J = colNodeOf_[col];
-    scalar& v = values_[rowStart_[row] + position(I, J) + col - cols_.start(J)];
-    #pragma omp atomic
-    v += value;
+    const label I = rowNodeOf_[row], J = colNodeOf_[col];
+    values_[rowStart_[row] + position(I, J) + col - cols_.start(J)] += value;
 }
 
 
@@ -99,8 +165,8 @@ void Foam::feMatrix::addTied
     const dofConstraints& c = *constraints_;
     const auto addRow = [&](const label r, const scalar v)
     {
-        if (!c.isTied(col)) addEntry(r, col, v);
-        else for (const auto& t : c.masters(col)) addEntry(r, t.unknown, t.weight*v);
+        if (!c.isTied(col) || affine_) addEntry(r, col, v);
+        if (c.isTied(col)) for (const auto& t : c.masters(col)) addEntry(r, t.unknown, t.weight*v);
     };
     if (!c.isTied(row)) addRow(row, value);
     else for (const auto& t : c.masters(row)) addRow(t.unknown, t.weight*value);
@@ -114,20 +180,28 @@ Foam::feMatrix::feMatrix
     const nodeMap& rows,
     const nodeMap& cols,
     const dofConstraints* constraints,
-    const UPtrList<elementScatter>& blocks
+    const UPtrList<elementScatter>& blocks,
+    const bool affine
 )
 :
     rows_(rows),
     cols_(cols),
     constraints_(constraints),
+    affine_(affine),
     nodeStart_(rows.nNodes() + 1, 0),
     rowStart_(rows.nUnknowns() + 1, 0),
+    rowNodeOf_(rows.nUnknowns()),
     colNodeOf_(cols.nUnknowns())
 {
-    for (label J = 0; J < cols.nNodes(); ++J)
+    const auto fill = [](const nodeMap& map, labelList& nodeOf)
     {
-        for (label u = cols.start(J); u < cols.start(J + 1); ++u) colNodeOf_[u] = J;
-    }
+        for (label I = 0; I < map.nNodes(); ++I)
+        {
+            for (label u = map.start(I); u < map.start(I + 1); ++u) nodeOf[u] = I;
+        }
+    };
+    fill(rows, rowNodeOf_);
+    fill(cols, colNodeOf_);
 
     List<DynamicList<label>> graph(rows.nNodes());
     forAll(blocks, b)
@@ -141,7 +215,7 @@ Foam::feMatrix::feMatrix
                 const label I = block.rowNodes[k];
                 for (label u = rows.start(I); u < rows.start(I + 1); ++u)
                 {
-                    if (constraints_->isTied(u)) block.tied[k/block.n] = true;
+                    if (constraints_->isTied(u)) block.tied[k/block.nRow] = true;
                 }
             }
         }
@@ -186,14 +260,14 @@ Foam::feMatrix::feMatrix
     forAll(blocks, b)
     {
         elementScatter& block = const_cast<elementScatter&>(blocks[b]);
-        const label n = block.n;
-        block.position.setSize(block.nElements()*n*n);
+        const label nR = block.nRow, nC = block.nCol;
+        block.position.setSize(block.nElements()*nR*nC);
         for (label e = 0; e < block.nElements(); ++e)
         {
-            for (label i = 0; i < n; ++i) for (label j = 0; j < n; ++j)
+            for (label i = 0; i < nR; ++i) for (label j = 0; j < nC; ++j)
             {
-                block.position[(e*n + i)*n + j] =
-                    position(block.rowNodes[e*n + i], block.colNodes[e*n + j]);
+                block.position[(e*nR + i)*nC + j] =
+                    position(block.rowNodes[e*nR + i], block.colNodes[e*nC + j]);
             }
         }
     }
@@ -208,31 +282,32 @@ void Foam::feMatrix::add
     const elementBlock& block,
     const label batch,
     const pack* K,
-    const int nI, const int nJ,
-    const int dRow, const int dCol,
-    const int rowCmpt, const int colCmpt,
+    const label rowField, const label colField,
     const scalar scale
 )
 {
     const int nLanes = block.nLanes(batch);
-    const label n = scatter.n;
+    const label nR = scatter.nRow, nC = scatter.nCol;
+    const elementScatter::part& rows = scatter.rows[rowField];
+    const elementScatter::part& cols = scatter.cols[colField];
 
     // Lanes with tied unknowns go entry by entry
     label element[packSize];
-    const label* position[packSize];
-    const label* rowNode[packSize];
+    const label *position[packSize], *rowNode[packSize], *rowOffset[packSize], *colOffset[packSize];
     int lane[packSize], tiedLane[packSize], nFree = 0, nTied = 0;
     for (int l = 0; l < nLanes; ++l)
     {
-        element[l] = block.lane(batch, l);
-        if (scatter.tied[element[l]])
+        const label e = element[l] = block.lane(batch, l);
+        if (scatter.tied[e])
         {
             tiedLane[nTied++] = l;
             continue;
         }
         lane[nFree] = l;
-        position[nFree] = &scatter.position[element[l]*n*n];
-        rowNode[nFree++] = &scatter.rowNodes[element[l]*n];
+        position[nFree] = &scatter.position[(e*nR + rows.first)*nC + cols.first];
+        rowNode[nFree] = &scatter.rowNodes[e*nR + rows.first];
+        rowOffset[nFree] = &rows.offset[e*nR + rows.first];
+        colOffset[nFree++] = &cols.offset[e*nC + cols.first];
     }
 
     // The loops over components have sizes known to the compiler
@@ -241,17 +316,17 @@ void Foam::feMatrix::add
         constexpr int R = nRows(), C = nCols();
         alignas(64) double entries[R*C*packSize];
         const pack* Kij = K;
-        for (int i = 0; i < nI; ++i)
+        for (label i = 0; i < rows.n; ++i)
         {
             scalar* row[packSize];
             label length[packSize];
             for (int f = 0; f < nFree; ++f)
             {
-                const label u = rows_.start(rowNode[f][i]) + rowCmpt;
+                const label u = rows_.start(rowNode[f][i]) + rowOffset[f][i];
                 length[f] = rowStart_[u + 1] - rowStart_[u];
-                row[f] = values_.begin() + rowStart_[u] + colCmpt;
+                row[f] = values_.begin() + rowStart_[u];
             }
-            for (int j = 0; j < nJ; ++j, Kij += R*C)
+            for (label j = 0; j < cols.n; ++j, Kij += R*C)
             {
                 for (int k = 0; k < R*C; ++k)
                 {
@@ -259,7 +334,7 @@ void Foam::feMatrix::add
                 }
                 for (int f = 0; f < nFree; ++f)
                 {
-                    scalar* to = row[f] + position[f][i*n + j];
+                    scalar* to = row[f] + position[f][i*nC + j] + colOffset[f][j];
                     const double* from = entries + lane[f];
                     for (int a = 0; a < R; ++a) for (int b = 0; b < C; ++b)
                     {
@@ -268,9 +343,10 @@ void Foam::feMatrix::add
                 }
                 for (int t = 0; t < nTied; ++t)
                 {
-                    const label e = element[tiedLane[t]];
-                    const label u = rows_.start(scatter.rowNodes[e*n + i]) + rowCmpt;
-                    const label v = cols_.start(scatter.colNodes[e*n + j]) + colCmpt;
+                    const label I = element[tiedLane[t]]*nR + rows.first + i;
+                    const label J = element[tiedLane[t]]*nC + cols.first + j;
+                    const label u = rows_.start(scatter.rowNodes[I]) + rows.offset[I];
+                    const label v = cols_.start(scatter.colNodes[J]) + cols.offset[J];
                     for (int a = 0; a < R; ++a) for (int b = 0; b < C; ++b)
                     {
                         addTied(u + a, v + b, entries[(a*C + b)*packSize + tiedLane[t]]);
@@ -283,7 +359,7 @@ void Foam::feMatrix::add
     const std::integral_constant<int, 1> one;
     const std::integral_constant<int, 2> two;
     const std::integral_constant<int, 3> three;
-    switch (10*dRow + dCol)
+    switch (10*rows.nCmpts + cols.nCmpts)
     {
         case 11: addAs(one, one); break;
         case 12: addAs(one, two); break;
@@ -294,22 +370,9 @@ void Foam::feMatrix::add
         case 33: addAs(three, three); break;
         default:
             FatalErrorInFunction
-                << "Blocks of " << dRow << " x " << dCol << " components"
+                << "Blocks of " << rows.nCmpts << " x " << cols.nCmpts << " components"
                 << abort(FatalError);
     }
-}
-
-
-void Foam::feMatrix::add
-(
-    const label rowNode, const label rowCmpt,
-    const label colNode, const label colCmpt,
-    const scalar value
-)
-{
-    const label u = rows_.start(rowNode) + rowCmpt, v = cols_.start(colNode) + colCmpt;
-    if (constraints_) addTied(u, v, value);
-    else addEntry(u, v, value);
 }
 
 
@@ -334,7 +397,7 @@ void Foam::feMatrix::triplets(labelList& row, labelList& col)
         if (constraints_ && !constraints_->isFree(u))
         {
             // The one equation of a constrained unknown: its increment is nil
-            if (rows_.owned(colNodeOf_[u])) { entries.append(-1); r.append(u); c.append(u); }
+            if (rows_.owned(rowNodeOf_[u])) { entries.append(-1); r.append(u); c.append(u); }
             continue;
         }
         for (label k = rowStart_[u]; k < rowStart_[u + 1]; ++k)

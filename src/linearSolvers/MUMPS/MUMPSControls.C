@@ -8,6 +8,7 @@
 #include "MUMPSControls.H"
 #include "blasThreads.H"
 #include "ListOps.H"
+#include "unknownEntries.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -67,6 +68,16 @@ Foam::MUMPSControls::MUMPSControls(const dictionary& dict)
     ),
     ICNTL(dict.getOrDefault<List<Tuple2<label, label>>>("ICNTL", {}))
 {
+    // maxIter is for those who solve with old factors
+    reportUnknownEntries
+    (
+        dict,
+        {
+            "type", "maxIter", "ordering", "memoryRelaxation", "maxMemory",
+            "blockLowRank", "scaling", "pivotThreshold", "threads", "ICNTL"
+        }
+    );
+
     const labelList scalings({0, 7, 8, 77});
     if (!scalings.found(scaling))
     {

@@ -11,6 +11,8 @@
 #include "treeDataPoint.H"
 #include "Pstream.H"
 #include "ListOps.H"
+#include "subDictOrEmpty.H"
+#include "unknownEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -47,6 +49,33 @@ elementGeometry geometry(const feMesh& fe, const elementBlock& block, const labe
     return g;
 }
 
+
+//- Power of a measure that spans some decades: a factor stays a number
+scalar readExponent(const dictionary& dict)
+{
+    const scalar exponent = dict.lookupOrDefault<scalar>("exponent", 1);
+    if (!(exponent >= 0 && exponent <= 10))
+    {
+        FatalIOErrorInFunction(dict)
+            << "exponent is " << exponent << ", expected a number from 0 to 10"
+            << exit(FatalIOError);
+    }
+    return exponent;
+}
+
+
+scalar readFactor(const entry& zone, const dictionary& dict)
+{
+    const scalar factor = zone.isStream() ? readScalar(zone.stream()) : 0;
+    if (!(factor > 0 && factor < GREAT))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The factor of cellZone " << zone.keyword() << " under zones is no"
+            << " number > 0" << exit(FatalIOError);
+    }
+    return factor;
+}
+
 } // End anonymous namespace
 } // End namespace Foam
 
@@ -68,7 +97,12 @@ Foam::autoPtr<Foam::meshStiffness> Foam::meshStiffness::New
             dict, "stiffness", type, *dictionaryConstructorTablePtr_
         ) << exit(FatalIOError);
     }
-    return cstrIter()(fe, dict);
+    autoPtr<meshStiffness> stiffness(cstrIter()(fe, dict));
+
+    wordList entries({"motionSolver", "stiffness", "zones"});
+    entries.append(stiffness->entries());
+    reportUnknownEntries(dict, entries);
+    return stiffness;
 }
 
 
@@ -84,7 +118,8 @@ Foam::List<Foam::scalarField> Foam::meshStiffness::elements
     const polyMesh& mesh = fe.mesh();
 
     scalarField factor(mesh.nCells(), 1);
-    for (const entry& zone : dict.subOrEmptyDict("zones"))
+    const dictionary zones(subDictOrEmpty(dict, "zones"));
+    for (const entry& zone : zones)
     {
         const label zonei = mesh.cellZones().findZoneID(zone.keyword());
         if (zonei < 0)
@@ -94,10 +129,8 @@ Foam::List<Foam::scalarField> Foam::meshStiffness::elements
                 << zone.keyword() << "'. Its cellZones are "
                 << mesh.cellZones().names() << exit(FatalIOError);
         }
-        for (const label celli : mesh.cellZones()[zonei])
-        {
-            factor[celli] = readScalar(zone.stream());
-        }
+        const scalar zoneFactor = readFactor(zone, dict);
+        for (const label celli : mesh.cellZones()[zonei]) factor[celli] = zoneFactor;
     }
 
     List<List<elementGeometry>> geometries(fe.blocks().size());
@@ -144,6 +177,7 @@ class uniform : public meshStiffness
 public:
     TypeName("uniform");
     uniform(const feMesh&, const dictionary&) {}
+    wordList entries() const { return {}; }
     scalar operator()(const elementGeometry&) const { return 1; }
 };
 
@@ -157,8 +191,9 @@ public:
     TypeName("inverseVolume");
     inverseVolume(const feMesh&, const dictionary& dict)
     :
-        exponent_(dict.lookupOrDefault<scalar>("exponent", 1))
+        exponent_(readExponent(dict))
     {}
+    wordList entries() const { return {"exponent"}; }
     scalar operator()(const elementGeometry& g) const
     {
         return Foam::pow(g.meanVolume/g.volume, exponent_);
@@ -175,9 +210,10 @@ public:
     TypeName("distortion");
     distortion(const feMesh& fe, const dictionary& dict)
     :
-        exponent_(dict.lookupOrDefault<scalar>("exponent", 1)),
+        exponent_(readExponent(dict)),
         dim_(fe.dim())
     {}
+    wordList entries() const { return {"exponent"}; }
     scalar operator()(const elementGeometry& g) const
     {
         return Foam::pow(Foam::pow(g.radius, dim_)/g.volume, exponent_);
@@ -198,13 +234,12 @@ public:
     TypeName("inverseDistance");
     inverseDistance(const feMesh& fe, const dictionary& dict)
     :
-        exponent_(dict.lookupOrDefault<scalar>("exponent", 1)),
+        exponent_(readExponent(dict)),
         dim_(fe.dim())
     {
         List<pointField> points(Pstream::nProcs());
-        for (const word& name : dict.get<wordList>("patches"))
+        for (const label patchi : fe.patchIndices(dict.get<wordRes>("patches"), dict))
         {
-            const label patchi = fe.patchIndex(name, dict);
             points[Pstream::myProcNo()].append(pointField(fe.points(), fe.patchNodes(patchi)));
         }
         Pstream::gatherList(points);
@@ -214,6 +249,8 @@ public:
         bb.inflate(1e-3);
         tree_.reset(new indexedOctree<treeDataPoint>(treeDataPoint(wall_), bb, 10, 10, 3));
     }
+
+    wordList entries() const { return {"exponent", "patches"}; }
 
     scalar operator()(const elementGeometry& g) const
     {

@@ -5,36 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "elasticModuli.H"
-#include "dimensionedScalar.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-//- A number that must lie between two bounds, these excluded
-static scalar between
-(
-    const dictionary& dict,
-    const word& key,
-    const dimensionSet& dimensions,
-    const scalar low,
-    const scalar high
-)
-{
-    const scalar value = dimensionedScalar(key, dimensions, dict).value();
-    if (!(value > low && value < high))
-    {
-        FatalIOErrorInFunction(dict)
-            << key << " is " << value << ", expected a number > " << low;
-        if (high < GREAT) FatalIOError << " and < " << high;
-        FatalIOError << exit(FatalIOError);
-    }
-    return value;
-}
-
-} // End namespace Foam
-
+#include "readNumber.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -50,15 +21,15 @@ Foam::elasticModuli::elasticModuli(const dictionary& dict)
 
     if (young)
     {
-        const scalar E = between(dict, "E", dimPressure, 0, GREAT);
-        const scalar nu = between(dict, "nu", dimless, -1, 0.5);
+        const scalar E = readNumber(dict, "E", dimPressure, 0, GREAT);
+        const scalar nu = readNumber(dict, "nu", dimless, -1, 0.5);
         mu = E/(2*(1 + nu));
         lambda = E*nu/((1 + nu)*(1 - 2*nu));
     }
     else if (dict.found("mu"))
     {
-        mu = between(dict, "mu", dimPressure, 0, GREAT);
-        lambda = between(dict, "lambda", dimPressure, -2*mu/3, GREAT);
+        mu = readNumber(dict, "mu", dimPressure, 0, GREAT);
+        lambda = readNumber(dict, "lambda", dimPressure, -2*mu/3, GREAT);
     }
     else
     {

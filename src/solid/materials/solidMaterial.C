@@ -5,7 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidMaterial.H"
-#include "dimensionedScalar.H"
+#include "readNumber.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -20,14 +20,15 @@ namespace Foam
 
 Foam::solidMaterial::solidMaterial(const dictionary& dict)
 :
-    rho_(dimensionedScalar("rho", dimDensity, dict).value())
+    rho_(readNumber(dict, "rho", dimDensity, 0, GREAT))
+{}
+
+
+Foam::wordList Foam::solidMaterial::entries(const wordList& law)
 {
-    if (!(rho_ > 0))
-    {
-        FatalIOErrorInFunction(dict)
-            << "rho is " << rho_ << ", expected a number > 0"
-            << exit(FatalIOError);
-    }
+    wordList all({"type", "rho", "cellZone"});
+    all.append(law);
+    return all;
 }
 
 

@@ -7,6 +7,7 @@
 #include "nonlinearSolid.H"
 #include "zeroGradientFvPatchFields.H"
 #include "addToRunTimeSelectionTable.H"
+#include "unknownEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -49,32 +50,57 @@ Foam::nonlinearSolid::elementKind Foam::nonlinearSolid::kind(const dictionary& s
 }
 
 
-void Foam::nonlinearSolid::stage()
+void Foam::nonlinearSolid::initialise()
 {
-    const feTimeScheme& ts = timeScheme();
-    motion_.stage(ts, stage_.D, stageVelocity_, stage_.a);
-    stage_.dDdu = ts.displacementByUnknown();
-    stage_.dadu = ts.accelerationByUnknown();
+    motion_ = motionField(fe().nNodes());
+    motion_.D = fe().interpolate<vector>(pointD_->primitiveField());
+    boundary_->project(motion_.D, mesh_.time().timeOutputValue());
+
+    IOobject io("pointV", mesh_.time().timeName(), mesh_, IOobject::MUST_READ, IOobject::NO_WRITE);
+    if (!returnReduce(io.typeHeaderOk<pointVectorField>(), orOp<bool>())) return;
+    const autoPtr<pointVectorField> pointV(readPointField<vector>("pointV", mesh_, dimVelocity));
+    motion_.v = fe().interpolate<vector>(pointV->primitiveField());
+    boundary_->project(motion_.v, mesh_.time().timeOutputValue(), true);
 }
 
 
-Foam::scalar Foam::nonlinearSolid::stageTime() const
+void Foam::nonlinearSolid::stage()
 {
     const feTimeScheme& ts = timeScheme();
-    return mesh_.time().value() - (1 - ts.stage())*ts.deltaT();
+    motion_.stage(ts, stage_->D, stageVelocity_, stage_->a);
+    stage_->dDdu = ts.displacementByUnknown();
+    stage_->dadu = ts.accelerationByUnknown();
+}
+
+
+Foam::List<Foam::fieldLayout::field> Foam::nonlinearSolid::fields() const
+{
+    typedef fieldLayout layout;
+    return {{"pointD", layout::kind::VECTOR, layout::support::NODES, dimLength}};
+}
+
+
+void Foam::nonlinearSolid::makeFields()
+{
+    assembly_.reset(new solidAssembly(fe(), mechanicalProperties_));
+    boundary_.reset(new nodalBoundary(fe(), pointD_()));
+    // Together: some ranks may have no node
+    if (returnReduce(motion_.size() != fe().nNodes(), orOp<bool>())) initialise();
+
+    stage_.reset(new solidStage(fe().points(), {fe().axis(0), fe().axis(1), fe().axis(2)}));
+    stage_->g = g_.value();
+    stage_->enhanced = kind(schemes_) == elementKind::ENHANCED_STRAIN;
+    stageVelocity_.setSize(fe().nNodes());
+    elementSize_ = fe().meanSize();
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::nonlinearSolid::nonlinearSolid(fvMesh& mesh)
+Foam::nonlinearSolid::nonlinearSolid(fvMesh& mesh, const dictionary& linearSolver)
 :
     feRegion(mesh, kind(readSchemes(mesh)) == elementKind::QUADRATIC ? 2 : 1),
-    assembly_
-    (
-        fe(),
-        IOdictionary(dictObject("mechanicalProperties", mesh.time().constant(), mesh))
-    ),
+    mechanicalProperties_(dictObject("mechanicalProperties", mesh.time().constant(), mesh)),
     pointD_(readPointField<vector>("pointD", mesh, dimLength)),
     D_(outputField("D", mesh), mesh, dimensionedVector(dimLength, Zero)),
     sigma_
@@ -86,52 +112,20 @@ Foam::nonlinearSolid::nonlinearSolid(fvMesh& mesh)
     (
         outputField("sigmaEq", mesh), mesh, dimensionedScalar(dimPressure, Zero),
         zeroGradientFvPatchField<scalar>::typeName
-    ),
-    motion_(fe().nNodes()),
-    stage_(fe().points(), {fe().axis(0), fe().axis(1), fe().axis(2)}),
-    stageVelocity_(fe().nNodes())
+    )
 {
-    stage_.g = g_.value();
-    stage_.enhanced = kind(schemes_) == elementKind::ENHANCED_STRAIN;
-    motion_.D = fe().interpolate<vector>(pointD_->primitiveField());
-    state_.add("D", motion_);
-    state_.store();
+    reportUnknownEntries(schemes_, {"elements", "timeScheme", "curvedPatches"});
+    discretise();
+    state_.add("D", fieldLayout::support::NODES, motion_);
+    state_.shift();
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::nonlinearSolid::nUnknowns(const label) const
-{
-    return fe().dim();
-}
-
-
-Foam::word Foam::nonlinearSolid::unknownName(const label c) const
-{
-    return word("pointD." + Foam::name(c));
-}
-
-
-void Foam::nonlinearSolid::connect
-(
-    const labelUList& systemNode,
-    const nodeMap& map
-)
-{
-    systemNode_ = systemNode;
-    map_ = &map;
-    scatter_.clear();
-    for (const elementBlock& block : assembly_.blocks())
-    {
-        scatter_.append(new elementScatter(block, systemNode_, systemNode_));
-    }
-}
-
-
 void Foam::nonlinearSolid::constrain(dofConstraints& c) const
 {
-    nodalBoundary(fe()).constrain(pointD_(), systemNode_, *map_, c);
+    boundary_->constrain(unknowns(), 0, c);
 }
 
 
@@ -139,13 +133,17 @@ void Foam::nonlinearSolid::predict(const scalar time)
 {
     const feTimeScheme& ts = timeScheme();
     motion_.predict(ts);
-    const auto set = [&](const label n, const vector& value)
+    boundary_->forValues(time, [&](const label n, const vector& value)
     {
         vector D = Zero;
         for (label a = 0; a < fe().dim(); ++a) D[fe().axis(a)] = value[fe().axis(a)];
         motion_.setD(ts, n, D);
-    };
-    nodalBoundary(fe()).forValues(pointD_(), time, systemNode_, *map_, set);
+    });
+    vectorField D(motion_.D);
+    if (boundary_->project(D, time))
+    {
+        forAll(D, n) if (D[n] != motion_.D[n]) motion_.setD(ts, n, D[n]);
+    }
 }
 
 
@@ -153,26 +151,32 @@ void Foam::nonlinearSolid::assemble(scalarField& R, feMatrix* K)
 {
     stage();
     force_ = Zero;
-    minDetJ_ = assembly_.assemble(stage_, force_, K, scatter_);
+    minDetJ_ = assembly_->assemble(stage_(), force_, K, scatter_);
 
-    const solidLoads loads(fe(), systemNode_);
-    loads.addSurface(pointD_(), stage_, stageTime(), force_, K);
+    const solidLoads loads(unknowns());
+    loads.addSurface(pointD_(), stage_(), stageTime(), force_, K);
     if (source) loads.addVolume(source, stageTime(), force_);
 
-    addVector(force_, R);
+    unknowns().add(0, force_, R);
 }
 
 
 void Foam::nonlinearSolid::update(const scalarField& dx)
 {
     const feTimeScheme& ts = timeScheme();
-    forAll(motion_.D, n)
-    {
-        const label start = map_->start(systemNode_[n]);
-        vector increment = Zero;
-        for (label a = 0; a < fe().dim(); ++a) increment[fe().axis(a)] = dx[start + a];
-        motion_.add(ts, n, increment);
-    }
+    forAll(motion_.D, n) motion_.add(ts, n, unknowns().at(0, n, dx));
+}
+
+
+Foam::scalar Foam::nonlinearSolid::unknownScale(const label) const
+{
+    return elementSize_/timeScheme().displacementByUnknown();
+}
+
+
+Foam::string Foam::nonlinearSolid::singularAdvice(const label) const
+{
+    return "A displacement is undetermined where nothing holds the solid";
 }
 
 
@@ -181,7 +185,7 @@ void Foam::nonlinearSolid::derive()
     fe().toPoints<vector>(motion_.D, pointD_->primitiveFieldRef());
     toCells<vector>(motion_.D, D_);
 
-    assembly_.stress(motion_.D, sigma_.primitiveFieldRef());
+    assembly_->stress(motion_.D, sigma_.primitiveFieldRef());
     sigma_.correctBoundaryConditions();
     const symmTensorField s(dev(sigma_.primitiveField()));
     sigmaEq_.primitiveFieldRef() = sqrt(1.5*magSqr(s));

@@ -95,9 +95,10 @@ void Foam::solidLoads::addPressure
             for (int j = 0; j < nN; ++j) for (int b = 0; b < dim; ++b)
             {
                 const Vec<double, dim> dA = (pressure*stage.dDdu)*face.dArea(q, j, b);
+                const label col = unknowns_.start(0, n[j]) + b;
                 for (int i = 0; i < nN; ++i) for (int a = 0; a < dim; ++a)
                 {
-                    K->add(systemNode_[n[i]], a, systemNode_[n[j]], b, face.N[i]*dA[a]);
+                    K->add(unknowns_.start(0, n[i]) + a, col, face.N[i]*dA[a]);
                 }
             }
         }

@@ -6,7 +6,51 @@
 
 #include "solidAssembly.H"
 #include "feValues.H"
+#include "unknownEntries.H"
 #include "symmTensorField.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- The list must be that of names, each with a dictionary
+static void checkMaterials(const dictionary& dict)
+{
+    const entry& e = dict.lookupEntry("materials", keyType::REGEX);
+    bool good = e.isStream(), named = false;
+    label depth = 0;
+    if (good) for (const token& t : e.stream())
+    {
+        const bool opens = t == token::BEGIN_LIST || t == token::BEGIN_BLOCK;
+        const bool closes = t == token::END_LIST || t == token::END_BLOCK;
+        if (depth == 0) good = good && (t == token::BEGIN_LIST || t.isLabel());
+        if (depth == 1) good = good && (closes ? !named : named ? t == token::BEGIN_BLOCK : t.isWord());
+        if (depth == 1) named = t.isWord();
+        depth += label(opens) - label(closes);
+    }
+    if (good) return;
+    FatalIOErrorInFunction(dict)
+        << "Entry materials is no list of materials, expected"
+        << " materials ( <name> { type ...; rho ...; ... } ... );"
+        << exit(FatalIOError);
+}
+
+
+//- Give a dictionary made from a list its place for messages
+static void setName(dictionary& dict, const fileName& name)
+{
+    dict.name() = name;
+    for (entry& e : dict)
+    {
+        const fileName entryName(name + '.' + e.keyword());
+        if (e.isDict()) setName(e.dict(), entryName);
+        else e.name() = entryName;
+    }
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -55,6 +99,8 @@ void Foam::solidAssembly::addCells
 
 Foam::labelList Foam::solidAssembly::readMaterials(const dictionary& dict)
 {
+    reportUnknownEntries(dict, {"materials"});
+    checkMaterials(dict);
     const PtrList<entry> entries(dict.lookup("materials"));
     materials_.setSize(entries.size());
     names_.setSize(entries.size());
@@ -63,16 +109,10 @@ Foam::labelList Foam::solidAssembly::readMaterials(const dictionary& dict)
     forAll(entries, i)
     {
         names_[i] = entries[i].keyword();
-        if (!entries[i].isDict())
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry '" << names_[i] << "' of materials is no dictionary,"
-                << " expected " << names_[i] << " { type ...; rho ...; ... }"
-                << exit(FatalIOError);
-        }
         dictionary material(entries[i].dict());
-        material.name() = dict.name() + ".materials." + names_[i];
+        setName(material, dict.name() + ".materials." + names_[i]);
         materials_.set(i, solidMaterial::New(material));
+        loops_.append(materials_[i].elementLoop().ptr());
         addCells(material, i, cellMaterial);
     }
 
@@ -149,17 +189,16 @@ Foam::scalar Foam::solidAssembly::assemble
     scalar minDetJ = GREAT;
     forAll(blocks_, b)
     {
-        scalar detJ;
+        const solidElementLoop& loop = loops_[material_[b]];
         if (K)
         {
             const solidMatrix to{*K, scatter[b]};
-            detJ = material(b).assemble(blocks_[b], stage, force, &to);
+            minDetJ = min(minDetJ, loop.assemble(blocks_[b], stage, force, &to));
         }
         else
         {
-            detJ = material(b).assemble(blocks_[b], stage, force, nullptr);
+            minDetJ = min(minDetJ, loop.assemble(blocks_[b], stage, force, nullptr));
         }
-        minDetJ = min(minDetJ, detJ);
     }
     return minDetJ;
 }

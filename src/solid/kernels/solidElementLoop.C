@@ -11,7 +11,7 @@
 
 template<class Law>
 template<class Kernel, class E>
-Foam::scalar Foam::solidMaterialOf<Law>::assembleWith
+Foam::scalar Foam::solidElementLoopOf<Law>::assembleWith
 (
     const elementBlock& block,
     const solidStage& stage,
@@ -21,7 +21,7 @@ Foam::scalar Foam::solidMaterialOf<Law>::assembleWith
 {
     constexpr int dim = E::dim, nN = E::nNodes;
     solidConstants<dim> k;
-    k.rho = rho();
+    k.rho = rho_;
     k.dDdu = stage.dDdu;
     k.dadu = stage.dadu;
     for (int a = 0; a < dim; ++a) k.g[a] = stage.g[stage.axis[a]];
@@ -53,10 +53,7 @@ Foam::scalar Foam::solidMaterialOf<Law>::assembleWith
             if (!matrix) return;
 
             kernel->tangent(k, *nodes, *K);
-            matrix->K.add
-            (
-                matrix->scatter, block, batch, &K->uu[0][0](0, 0), nN, nN, dim, dim, 0, 0, 1
-            );
+            matrix->K.add(matrix->scatter, block, batch, &K->uu[0][0](0, 0), 0, 0, 1);
         });
     }
     return detJ;
@@ -66,7 +63,7 @@ Foam::scalar Foam::solidMaterialOf<Law>::assembleWith
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<class Law>
-Foam::scalar Foam::solidMaterialOf<Law>::assemble
+Foam::scalar Foam::solidElementLoopOf<Law>::assemble
 (
     const elementBlock& block,
     const solidStage& stage,

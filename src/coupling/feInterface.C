@@ -1,0 +1,156 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "feInterface.H"
+#include "unknownEntries.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(feInterface, 0);
+    defineRunTimeSelectionTable(feInterface, dictionary);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::feRegion& Foam::feInterface::region
+(
+    const dictionary& dict,
+    PtrList<feRegion>& regions
+)
+{
+    const word name(dict.get<word>("region"));
+    wordList names(regions.size());
+    forAll(regions, i)
+    {
+        names[i] = regions[i].name();
+        if (names[i] == name) return regions[i];
+    }
+    FatalIOErrorInFunction(dict)
+        << "There is no region '" << name << "' with a region solver. Regions: "
+        << names << exit(FatalIOError);
+    return regions[0];
+}
+
+
+Foam::labelList Foam::feInterface::patches
+(
+    const dictionary& dict,
+    const feRegion& region
+)
+{
+    if (!dict.found("patches"))
+    {
+        return labelList(1, region.fe().patchIndex(dict.get<word>("patch"), dict));
+    }
+    return region.fe().patchIndices(dict.get<wordRes>("patches"), dict);
+}
+
+
+Foam::labelList Foam::feInterface::nodes
+(
+    const feRegion& region,
+    const labelUList& patches
+)
+{
+    if (patches.size() == 1) return region.fe().patchNodes(patches[0]);
+    labelHashSet all;
+    for (const label patchi : patches) all.insert(region.fe().patchNodes(patchi));
+    return all.sortedToc();
+}
+
+
+void Foam::feInterface::checkFree
+(
+    const feRegion& region,
+    const labelUList& patches
+) const
+{
+    const pointVectorField& field = region.motionConditions();
+    for (const label patchi : patches)
+    {
+        const pointPatchVectorField& patch = field.boundaryField()[patchi];
+        if (!nodalBoundary::constrains(patch)) continue;
+        FatalIOErrorInFunction(dict_)
+            << "Patch " << patch.patch().name() << " of " << field.objectPath()
+            << " is of type " << patch.type() << ", but on interface " << name_
+            << " fluid and solid move together as they will."
+            << " Expected type calculated" << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+void Foam::feInterface::checkFree() const
+{
+    checkFree(fluid_, fluidPatches_);
+    checkFree(solid_, solidPatches_);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::feInterface::feInterface
+(
+    const word& name,
+    const dictionary& dict,
+    PtrList<feRegion>& regions
+)
+:
+    name_(name),
+    dict_(dict),
+    fluid_(region(dict.subDict("fluid"), regions)),
+    solid_(region(dict.subDict("solid"), regions)),
+    fluidPatches_(patches(dict.subDict("fluid"), fluid_)),
+    solidPatches_(patches(dict.subDict("solid"), solid_))
+{
+    for (const word& side : {"fluid", "solid"})
+    {
+        reportUnknownEntries(dict.subDict(side), {"region", "patch", "patches"});
+    }
+    if (fluid_.leads() || !solid_.leads())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Interface " << name << " joins region " << fluid_.name()
+            << " of type " << fluid_.type() << " as fluid and region "
+            << solid_.name() << " of type " << solid_.type() << " as solid;"
+            << " expected a fluid and a solid" << exit(FatalIOError);
+    }
+    if (!(fluid_.timeScheme() == solid_.timeScheme()))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Regions " << fluid_.name() << " and " << solid_.name()
+            << " have different time schemes; unknowns are shared, so the"
+            << " entries timeScheme of their feSchemes must be the same"
+            << exit(FatalIOError);
+    }
+}
+
+
+Foam::autoPtr<Foam::feInterface> Foam::feInterface::New
+(
+    const word& name,
+    const dictionary& dict,
+    PtrList<feRegion>& regions
+)
+{
+    const word type(dict.get<word>("type"));
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
+    if (!cstrIter.found())
+    {
+        FatalIOErrorInLookup
+        (
+            dict, "interface type", type, *dictionaryConstructorTablePtr_
+        ) << exit(FatalIOError);
+    }
+    return cstrIter()(name, dict, regions);
+}
+
+
+// ************************************************************************* //

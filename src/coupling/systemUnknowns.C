@@ -1,0 +1,273 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "systemUnknowns.H"
+#include "gatherAll.H"
+#include "OStringStream.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::List<Foam::labelList> Foam::systemUnknowns::keys() const
+{
+    List<labelList> key(regions_.size());
+    label offset = 0;
+    forAll(regions_, r)
+    {
+        key[r] = regions_[r].layout().keys();
+        for (label& k : key[r]) k += offset;
+        offset += regions_[r].layout().nKeys();
+    }
+
+    // Any number of interfaces may meet at a node: the smallest key of all
+    // that are joined stands for them
+    Map<label> parent;
+    const auto root = [&](label k)
+    {
+        while (parent.found(k) && parent[k] != k) k = parent[k];
+        return k;
+    };
+    const auto indexOf = [&](const feRegion& region)
+    {
+        label i = 0;
+        while (&regions_[i] != &region) ++i;
+        return i;
+    };
+    for (const feInterface& i : interfaces_)
+    {
+        for (const labelPair& pair : i.joined(key[indexOf(i.solid())], key[indexOf(i.fluid())]))
+        {
+            const label a = root(pair.first()), b = root(pair.second());
+            parent.set(max(a, b), min(a, b));
+            parent.insert(min(a, b), min(a, b));
+        }
+    }
+    if (!parent.empty()) for (labelList& keys : key) for (label& k : keys) k = root(k);
+    return key;
+}
+
+
+void Foam::systemUnknowns::number()
+{
+    const List<labelList> key(keys());
+
+    // Nodes of this rank
+    Map<label> nodeOf;
+    DynamicList<label> nodeKeys;
+    List<labelList> node(regions_.size());
+    forAll(regions_, r)
+    {
+        node[r].setSize(key[r].size());
+        forAll(key[r], e)
+        {
+            const auto found = nodeOf.cfind(key[r][e]);
+            node[r][e] = found.found() ? *found : nodeKeys.size();
+            if (found.found()) continue;
+            nodeOf.insert(key[r][e], nodeKeys.size());
+            nodeKeys.append(key[r][e]);
+        }
+    }
+
+    // Unknowns of each region at each node beside that of the motion, as any
+    // rank knows them
+    const label nRegions = regions_.size();
+    const nodeMap count(nodeKeys, labelList(nodeKeys.size(), nRegions));
+    scalarField further(count.nUnknowns(), 0), motion(further);
+    forAll(regions_, r)
+    {
+        const fieldLayout& layout = regions_[r].layout();
+        const labelList n(fieldUnknowns::counts(layout));
+        forAll(n, e)
+        {
+            const bool moves = layout.value(0, e) >= 0;
+            const label i = count.start(node[r][e]) + r;
+            motion[i] = moves ? layout.nComponents(0) : 0;
+            further[i] = n[e] - motion[i];
+        }
+    }
+    count.maximum(further);
+    count.maximum(motion);
+
+    // The motion comes first, then the others region by region
+    labelList nUnknowns(nodeKeys.size(), 0);
+    List<List<labelList>> offset(nRegions);
+    forAll(regions_, r) offset[r] = fieldUnknowns::offsets(regions_[r].layout());
+    const auto first = [&](const label n, const label region)
+    {
+        scalar shared = 0, before = 0;
+        for (label r = 0; r < nRegions; ++r)
+        {
+            shared = max(shared, motion[count.start(n) + r]);
+            if (r < region) before += further[count.start(n) + r];
+        }
+        return label(shared + before);
+    };
+    forAll(nUnknowns, n) nUnknowns[n] = first(n, nRegions);
+    forAll(regions_, r)
+    {
+        const fieldLayout& layout = regions_[r].layout();
+        forAll(offset[r], f)
+        {
+            if (f == 0) continue;
+            forAll(offset[r][f], i)
+            {
+                const label n = node[r][layout.entity(f, i)];
+                offset[r][f][i] += first(n, r) - label(motion[count.start(n) + r]);
+            }
+        }
+    }
+
+    map_.reset(new nodeMap(nodeKeys, nUnknowns));
+    forAll(regions_, r) regions_[r].number(map_(), node[r], offset[r]);
+}
+
+
+void Foam::systemUnknowns::constrain()
+{
+    constraints_.reset(new dofConstraints(map_()));
+    for (const feRegion& region : regions_) region.constrain(constraints_());
+    for (feInterface& i : interfaces_) i.constrain(constraints_());
+    constraints_->close();
+}
+
+
+void Foam::systemUnknowns::makeBlocks()
+{
+    forAll(regions_, r)
+    {
+        const fieldLayout& layout = regions_[r].layout();
+        for (label f = 0; f < layout.nFields(); ++f)
+        {
+            blocks_.append({r, f, word(regions_[r].name() + '.' + layout[f].name)});
+        }
+    }
+
+    // Of a shared unknown the block of the region that leads, as any rank knows
+    const scalar leads = blocks_.size();
+    scalarField block(map_->nUnknowns(), -1);
+    forAll(blocks_, b)
+    {
+        const feRegion& region = regions_[blocks_[b].region];
+        const label f = blocks_[b].field;
+        for (label i = 0; i < region.layout().size(f); ++i)
+        {
+            for (label a = 0; a < region.layout().nComponents(f); ++a)
+            {
+                scalar& at = block[region.unknowns().start(f, i) + a];
+                at = max(at, b + (region.leads() ? leads : 0));
+            }
+        }
+    }
+    map_->maximum(block);
+    blockOf_.setSize(block.size());
+    forAll(block, u) blockOf_[u] = max(label(block[u]), 0) % blocks_.size();
+}
+
+
+void Foam::systemUnknowns::reportHeld(const feInterface& interface) const
+{
+    // By the fluid 1, by the solid 2, on any rank
+    const feRegion &fluid = interface.fluid(), &solid = interface.solid();
+    scalarField byFluid(map_->nUnknowns(), 0), bySolid(byFluid);
+    const labelList fluidNodes(interface.fluidNodes());
+    for (const label n : fluidNodes) byFluid[fluid.unknowns().start(0, n)] = fluid.boundary().constrained(n);
+    for (const label n : interface.solidNodes())
+    {
+        bySolid[solid.unknowns().start(0, n)] = solid.boundary().constrained(n);
+    }
+    map_->maximum(byFluid);
+    map_->maximum(bySolid);
+
+    label n = 0;
+    point where = point::max;
+    wordList names;
+    for (const label node : fluidNodes)
+    {
+        const label u = fluid.unknowns().start(0, node);
+        if (byFluid[u] == 0 || bySolid[u] > 0 || !map_->owned(fluid.unknowns().node(node))) continue;
+        ++n;
+        where = fluid.fe().points()[node];
+        if (fluid.boundary().constrained(node)) names.append(fluid.boundary().patchName(node));
+    }
+    const wordList all(wordHashSet(gatherAll<word>(names)).sortedToc());
+    reduce(where, minOp<point>());
+    if (!returnReduce(n, sumOp<label>())) return;
+    WarningInFunction
+        << "Interface " << interface.name() << ": " << returnReduce(n, sumOp<label>())
+        << " of its nodes, one at " << where << ", are also on patches " << all << " of region "
+        << fluid.name() << " with conditions there; the solid is free at them." << nl
+        << "    Values of these patches do not count at the interface's nodes, planes of"
+        << " symmetry and slip do." << endl;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::systemUnknowns::systemUnknowns
+(
+    PtrList<feRegion>& regions,
+    PtrList<feInterface>& interfaces
+)
+:
+    regions_(regions),
+    interfaces_(interfaces)
+{
+    number();
+    constrain();
+    makeBlocks();
+    for (const feInterface& i : interfaces_) reportHeld(i);
+    for (feRegion& region : regions_) region.connect();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::systemUnknowns::nFree() const
+{
+    label n = 0;
+    for (const label u : map_->ownedUnknowns()) if (constraints_->isFree(u)) ++n;
+    return returnReduce(n, sumOp<label>());
+}
+
+
+Foam::string Foam::systemUnknowns::describe(const label global, label& block) const
+{
+    // The owner knows it, at a node of one of its regions
+    string what;
+    block = -1;
+    const label u = global >= 0 ? map_->local(global) : -1;
+    if (u >= 0 && map_->owned(map_->nodeOf(u)))
+    {
+        block = blockOf_[u];
+        for (const feRegion& region : regions_)
+        {
+            const fieldLayout& layout = region.layout();
+            for (label f = 0; f < layout.nFields() && what.empty(); ++f)
+            {
+                for (label i = 0; i < layout.size(f) && what.empty(); ++i)
+                {
+                    const label cmpt = u - region.unknowns().start(f, i);
+                    if (cmpt < 0 || cmpt >= layout.nComponents(f)) continue;
+                    const label e = layout.entity(f, i);
+                    OStringStream os;
+                    os  << layout.componentName(f, cmpt) << " of region " << region.name()
+                        << " at "
+                        << (
+                               e < region.fe().nNodes()
+                             ? region.fe().points()[e]
+                             : region.mesh().cellCentres()[i]
+                           );
+                    what = os.str();
+                }
+            }
+        }
+    }
+    reduce(block, maxOp<label>());
+    for (const string& s : gatherAll<string>(List<string>(1, what))) if (!s.empty()) what = s;
+    return what.empty() ? string("an unknown that could not be found") : what;
+}
+
+
+// ************************************************************************* //

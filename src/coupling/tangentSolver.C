@@ -1,0 +1,149 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "tangentSolver.H"
+
+// * * * * * * * * * * * * * * * factorPolicy * * * * * * * * * * * * * * * * //
+
+void Foam::factorPolicy::made(const scalar nFlops, const scalar nNonzeros)
+{
+    has = true;
+    making = nFlops/(20*max(nNonzeros, 1.0));
+    total = making;
+    uses = 0;
+}
+
+
+void Foam::factorPolicy::used(const label n)
+{
+    total += n;
+    ++uses;
+    if (uses > 1 && n > total/uses) has = false;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::tangentSolver::outcome Foam::tangentSolver::from
+(
+    const feLinearSolver::outcome o
+)
+{
+    switch (o)
+    {
+        case feLinearSolver::outcome::OK:            return outcome::OK;
+        case feLinearSolver::outcome::SINGULAR:      return outcome::SINGULAR;
+        case feLinearSolver::outcome::OUT_OF_MEMORY: return outcome::OUT_OF_MEMORY;
+        default:                                     return outcome::FAILED;
+    }
+}
+
+
+Foam::tangentSolver::outcome Foam::tangentSolver::factorise(systemTimes& times)
+{
+    systemTimes::timer timer(times, systemTimes::FACTORISATION);
+    const outcome o = from(factors_->factorise());
+    if (o != outcome::OK)
+    {
+        drop();
+        return o;
+    }
+    policy_.made(solver().stats().nFlops, solver().stats().nNonzeros);
+    ++nFactorisations_;
+    ++times.nFactorisations;
+    return o;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::tangentSolver::tangentSolver
+(
+    const nodeMap& map,
+    const dofConstraints& constraints,
+    const UPtrList<elementScatter>& scatter,
+    const dictionary& dict
+)
+:
+    map_(map),
+    constraints_(constraints),
+    K_(new feMatrix(map, map, &constraints, scatter)),
+    factors_(new feFactors(map, K_(), dict)),
+    gmres_(map, dict.lookupOrDefault<label>("maxIter", 60)),
+    nFactorisations_(0),
+    nIterations_(-1)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tangentSolver::outcome Foam::tangentSolver::remake
+(
+    const factorPolicy& policy,
+    systemTimes& times
+)
+{
+    const outcome o = factorise(times);
+    if (o == outcome::OK) policy_ = policy;
+    return o;
+}
+
+
+Foam::tangentSolver::outcome Foam::tangentSolver::solve
+(
+    const action& A,
+    const scalarField& R,
+    const scalarField& rowScale,
+    const scalar tolerance,
+    scalarField& dx,
+    systemTimes& times
+)
+{
+    outcome result = outcome::OK;
+    const auto scaledA = [&](const scalarField& x, scalarField& y)
+    {
+        A(x, y);
+        y *= rowScale;
+    };
+    const auto Minv = [&](const scalarField& y, scalarField& x)
+    {
+        y_ = y/rowScale;
+        const outcome o = from(factors_->solve(y_, x));
+        if (o != outcome::OK) result = o;
+        constraints_.distribute(x);
+    };
+    const auto iterate = [&](const label limit)
+    {
+        systemTimes::timer timer(times, systemTimes::SOLVE);
+        b_ = -R*rowScale;
+        return gmres_.solve(scaledA, Minv, b_, dx, tolerance, limit);
+    };
+
+    bool fresh = false;
+    if (!policy_.has)
+    {
+        result = factorise(times);
+        if (result != outcome::OK) return result;
+        fresh = true;
+    }
+
+    label limit = fresh ? gmres_.maxIter() : policy_.limit(gmres_.maxIter());
+    nIterations_ = iterate(limit);
+    if (nIterations_ > limit && !fresh)
+    {
+        result = factorise(times);
+        if (result != outcome::OK) return result;
+        limit = gmres_.maxIter();
+        nIterations_ = iterate(limit);
+    }
+    if (result != outcome::OK) return result;
+    policy_.used(nIterations_);
+    times.nLinear += nIterations_;
+    return nIterations_ > limit ? outcome::STALLED : outcome::OK;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,236 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "flowLoads.H"
+#include "feValues.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::flowLoads::readPressures()
+{
+    if (pressurePatches_.empty()) return;
+    pointP_.correctBoundaryConditions();
+
+    // Mid-side nodes take the mean of their ends
+    for (const label patchi : pressurePatches_)
+    {
+        const auto& pf = refCast<const valuePointPatchField<scalar>>(pointP_.boundaryField()[patchi]);
+        const labelList& points = pf.patch().meshPoints();
+        forAll(points, i) p_.v[fe_.pointNode()[points[i]]] = pf[i];
+        for (const elementBlock& block : fe_.patchBlocks(patchi)) for (const label n : block.nodes)
+        {
+            if (n < fe_.nVertices()) continue;
+            p_.v[n] = 0;
+            for (const label m : fe_.parents()[n]) p_.v[n] += p_.v[m]/fe_.parents()[n].size();
+        }
+    }
+}
+
+
+template<class F>
+void Foam::flowLoads::addOpen
+(
+    const elementBlock& block,
+    const vector& traction,
+    const scalarField& pressure,
+    const scalar backflow,
+    const scalar rho,
+    const scalar columns,
+    const flowFields& stage,
+    const fieldUnknowns& unknowns,
+    vectorField& force,
+    feMatrix* K
+) const
+{
+    constexpr int dim = F::dim + 1;
+    typedef Vec<double, dim> vec;
+    faceValues<double, F> face;
+
+    const auto inPlane = [&](const vector& u)
+    {
+        vec v;
+        for (int a = 0; a < dim; ++a) v[a] = u[fe_.axis(a)];
+        return v;
+    };
+
+    for (label e = 0; e < block.size(); ++e)
+    {
+        const label* nodes = block.element(e);
+        vec x[F::nNodes], v[F::nNodes], c[F::nNodes];
+        double p[F::nNodes];
+        for (int i = 0; i < F::nNodes; ++i)
+        {
+            x[i] = inPlane(stage.x[nodes[i]]);
+            v[i] = inPlane(stage.v[nodes[i]]);
+            c[i] = v[i] - inPlane(stage.vm[nodes[i]]);
+            p[i] = pressure[nodes[i]];
+        }
+        for (int q = 0; q < face.nQ; ++q)
+        {
+            face.reinit(x, q);
+            const vec& n = face.ndA;
+            const vec u = face.value(v);
+            const scalar dA = ::sqrt(n & n), cn = min(face.value(c) & n, 0.0);
+            double pq = 0;
+            for (int i = 0; i < F::nNodes; ++i) pq += face.N[i]*p[i];
+
+            // h = t - p n + beta rho min(c.n, 0) v
+            const vec h = dA*inPlane(traction) - pq*n + (backflow*rho*cn)*u;
+            for (int i = 0; i < F::nNodes; ++i)
+            {
+                for (int a = 0; a < dim; ++a) force[nodes[i]][fe_.axis(a)] -= face.N[i]*h[a];
+            }
+            if (!K || cn == 0) continue;
+
+            const Ten<double, dim> dh = (backflow*rho)*(cn*Ten<double, dim>::I() + u*n);
+            for (int i = 0; i < F::nNodes; ++i) for (int j = 0; j < F::nNodes; ++j)
+            {
+                const label row = unknowns.start(0, nodes[i]), col = unknowns.start(0, nodes[j]);
+                for (int a = 0; a < dim; ++a) for (int b = 0; b < dim; ++b)
+                {
+                    K->add(row + a, col + b, -columns*face.N[i]*face.N[j]*dh(a, b));
+                }
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::flowLoads::flowLoads
+(
+    const feMesh& fe,
+    const pointVectorField& pointU,
+    pointScalarField& pointP,
+    rateField<scalar>& prescribed,
+    const bool first
+)
+:
+    fe_(fe),
+    pointU_(pointU),
+    pointP_(pointP),
+    p_(prescribed)
+{
+    forAll(pointP.boundaryField(), patchi)
+    {
+        const auto& p = pointP.boundaryField()[patchi];
+        const auto& u = pointU.boundaryField()[patchi];
+        if (!isA<valuePointPatchField<scalar>>(p)) continue;
+        if (dynamic_cast<const surfaceLoad*>(&u) || !isOpen(u))
+        {
+            FatalErrorInFunction
+                << "Patch " << p.patch().name() << ": " << pointP.objectPath()
+                << " gives the pressure (" << p.type() << "), and " << pointU.objectPath()
+                << " is of type " << u.type() << ", which "
+                << (
+                       dynamic_cast<const surfaceLoad*>(&u)
+                     ? "gives the load there, too"
+                     : "gives the velocity there, too"
+                   )
+                << '.' << nl
+                << "Expected type zeroGradient in pointP; or a pressure boundary: its values"
+                << " in pointP and type zeroGradient (or fixedComponents, of tangential"
+                << " directions) in pointU, or type openBoundary with the entry pressure in"
+                << " pointU" << exit(FatalError);
+        }
+        if (first) Info<< "Patch " << p.patch().name() << " of region " << fe.mesh().name()
+            << " is a pressure boundary: values of pointP, backflow stabilisation 0.5" << nl;
+        pressurePatches_.append(patchi);
+    }
+    if (!first || pressurePatches_.empty()) return;
+    p_ = rateField<scalar>(fe.nNodes());
+    readPressures();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::flowLoads::isOpen(const pointPatchVectorField& pf)
+{
+    return nodalBoundary::isNatural(pf) || dynamic_cast<const nodalComponents*>(&pf);
+}
+
+
+void Foam::flowLoads::addSurface
+(
+    const scalar rho,
+    const scalar columns,
+    const scalar t,
+    const flowFields& stage,
+    const fieldUnknowns& unknowns,
+    vectorField& force,
+    feMatrix* K
+) const
+{
+    const auto add = [&]
+    (
+        const label patchi, const vector& traction, const scalarField& pressure,
+        const scalar backflow
+    )
+    {
+        for (const elementBlock& block : fe_.patchBlocks(patchi))
+        {
+            withFaceElement(block, [&](auto F)
+            {
+                if (F.dim != fe_.dim() - 1) return;
+                addOpen<decltype(F)>
+                (
+                    block, traction, pressure, backflow, rho, columns, stage, unknowns, force, K
+                );
+            });
+        }
+    };
+    forAll(pointU_.boundaryField(), patchi)
+    {
+        const auto* load = dynamic_cast<const surfaceLoad*>(&pointU_.boundaryField()[patchi]);
+        if (!load || fe_.patchBlocks(patchi).empty()) continue;
+        add(patchi, load->traction(t), scalarField(fe_.nNodes(), load->pressure(t)), load->backflow());
+    }
+    if (pressurePatches_.empty()) return;
+    const scalarField pressure(p_.v0 + columns*(p_.v - p_.v0));
+    for (const label patchi : pressurePatches_) add(patchi, Zero, pressure, 0.5);
+}
+
+
+void Foam::flowLoads::addVolume
+(
+    const density& f,
+    const scalar t,
+    const flowFields& stage,
+    vectorField& force
+) const
+{
+    for (const elementBlock& block : fe_.blocks())
+    {
+        withElement(block, [&](auto tag)
+        {
+            typedef decltype(tag) E;
+            if (E::dim != fe_.dim()) return;
+            feValues<double, E> w;
+            Vec<double, E::dim> x[E::nNodes];
+            for (label e = 0; e < block.size(); ++e)
+            {
+                const label* n = block.element(e);
+                for (int i = 0; i < E::nNodes; ++i) for (int a = 0; a < E::dim; ++a)
+                {
+                    x[i][a] = stage.x[n[i]][fe_.axis(a)];
+                }
+                for (int q = 0; q < w.nQ; ++q)
+                {
+                    w.reinit(x, q);
+                    point X = Zero;
+                    for (int i = 0; i < E::nNodes; ++i) X += w.N[i]*stage.x[n[i]];
+                    const vector fV = f(X, t)*w.dV;
+                    for (int i = 0; i < E::nNodes; ++i) force[n[i]] -= w.N[i]*fV;
+                }
+            }
+        });
+    }
+}
+
+
+// ************************************************************************* //
