@@ -11,7 +11,8 @@
 
 namespace Foam
 {
-    makeTemplatePointPatchTypeField
+    defineNamedTemplateTypeNameAndDebug(followerPressurePointPatchVectorField, 0);
+    addToPointPatchFieldRunTimeSelection
     (
         pointPatchVectorField,
         followerPressurePointPatchVectorField

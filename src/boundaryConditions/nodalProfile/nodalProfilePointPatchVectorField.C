@@ -7,6 +7,9 @@
 #include "nodalProfilePointPatchVectorField.H"
 #include "addToRunTimeSelectionTable.H"
 #include "fullPrecision.H"
+#include "patchFieldEntries.H"
+#include "unknownEntries.H"
+#include "points0MotionSolver.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -45,10 +48,38 @@ void Foam::nodalProfilePointPatchVectorField::checkExponents
 }
 
 
+Foam::tmp<Foam::pointField>
+Foam::nodalProfilePointPatchVectorField::undeformedPoints()
+{
+    const polyMesh& mesh = patch().boundaryMesh().mesh()();
+    const labelList& points = patch().meshPoints();
+
+    const HashTable<const points0MotionSolver*> solvers
+    (
+        mesh.lookupClass<points0MotionSolver>()
+    );
+    if (!solvers.empty())
+    {
+        return tmp<pointField>(new pointField((*solvers.cbegin())->points0(), points));
+    }
+
+    if (!points0_.valid())
+    {
+        const pointIOField all(points0MotionSolver::points0IO(mesh));
+
+        // A file of another size belongs to the mesh before it was changed
+        const bool fits = all.size() == mesh.nPoints();
+        points0_.reset(new pointField(fits ? all : mesh.points(), points));
+    }
+    return tmp<pointField>(points0_());
+}
+
+
 void Foam::nodalProfilePointPatchVectorField::setValues()
 {
     const scalar t = db().time().timeOutputValue();
-    const pointField& x = patch().localPoints();
+    const tmp<pointField> tx(undeformedPoints());
+    const pointField& x = tx();
     vectorField& u = *this;
     forAll(u, i) u[i] = at(x[i], t);
 }
@@ -75,12 +106,14 @@ Foam::nodalProfilePointPatchVectorField::nodalProfilePointPatchVectorField
     const dictionary& dict
 )
 :
-    fixedValuePointPatchVectorField(p, iF, dict, false),
+    // Not false, with which v2306 and later do not read a value that is there
+    fixedValuePointPatchVectorField(p, iF, dict, dict.found("value")),
     terms_(dict.lookupOrDefault("terms", List<Tuple2<vector, vector>>())),
     code_(dict, iF.db().time()),
     origin_(dict.lookupOrDefault<point>("origin", Zero)),
     scale_("scale", dict, 1)
 {
+    reportUnknownEntries(dict, patchFieldEntries({"scale"}, {"terms", "code", "origin"}));
     checkExponents(dict);
     if (terms_.empty() && code_.empty())
     {
@@ -122,6 +155,15 @@ Foam::nodalProfilePointPatchVectorField::nodalProfilePointPatchVectorField
 {}
 
 
+Foam::nodalProfilePointPatchVectorField::nodalProfilePointPatchVectorField
+(
+    const thisType& ptf
+)
+:
+    nodalProfilePointPatchVectorField(ptf, ptf.internalField())
+{}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::vector Foam::nodalProfilePointPatchVectorField::at
@@ -139,6 +181,27 @@ Foam::vector Foam::nodalProfilePointPatchVectorField::at
         u += term.first()*pow(X.x(), n.x())*pow(X.y(), n.y())*pow(X.z(), n.z());
     }
     return scale_(t)*u;
+}
+
+
+void Foam::nodalProfilePointPatchVectorField::autoMap
+(
+    const pointPatchFieldMapper& mapper
+)
+{
+    fixedValuePointPatchVectorField::autoMap(mapper);
+    points0_.clear();
+}
+
+
+void Foam::nodalProfilePointPatchVectorField::rmap
+(
+    const pointPatchVectorField& field,
+    const labelList& addressing
+)
+{
+    fixedValuePointPatchVectorField::rmap(field, addressing);
+    points0_.clear();
 }
 
 

@@ -12,6 +12,49 @@
 #include "SHA1Digest.H"
 #include "SHA1.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::profileCode::compile
+(
+    const dictionary& dict,
+    const fileName& dir,
+    const word& name
+) const
+{
+    // Files get their names when they are complete: other runs of the case may
+    // be at the same point
+    const fileName source(dir/(name + ".C")), library(dir/(name + ".so"));
+    const word own("." + hostName() + "_" + Foam::name(pid()));
+
+    mkDir(dir);
+    {
+        OFstream os(source + own);
+        os.writeQuoted
+        (
+            "#include <cmath>\nusing namespace std;\nextern \"C\" void " + name
+          + "(const double* x, const double t, double* u)\n{\n" + code_ + "\n}\n",
+            false
+        );
+    }
+    mv(source + own, source);
+
+    // Without a shell, so that no character of a path has a meaning
+    const List<string> command
+    ({
+        "g++", "-O2", "-shared", "-fPIC", "-o", library + own, source
+    });
+    if (Foam::system(command))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry code does not compile, see the compiler's message"
+            << " above; the file is " << source << nl
+            << "Expected the body of a function of x[0..2] (m) and t (s)"
+            << " that sets u[0..2]" << exit(FatalIOError);
+    }
+    mv(library + own, library);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::profileCode::profileCode(const dictionary& dict, const Time& runTime)
@@ -28,28 +71,7 @@ Foam::profileCode::profileCode(const dictionary& dict, const Time& runTime)
     const fileName dir(runTime.globalPath()/"dynamicCode");
     const fileName library(dir/(name + ".so"));
 
-    if (Pstream::master() && !isFile(library, false))
-    {
-        mkDir(dir);
-        {
-            OFstream os(dir/(name + ".C"));
-            os.writeQuoted
-            (
-                "#include <cmath>\nusing namespace std;\nextern \"C\" void " + name
-              + "(const double* x, const double t, double* u)\n{\n" + code_ + "\n}\n",
-                false
-            );
-        }
-        const string stem("\"" + dir/name);
-        if (Foam::system("g++ -O2 -shared -fPIC -o " + stem + ".so\" " + stem + ".C\""))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry code does not compile, see the compiler's message"
-                << " above; the file is " << dir/(name + ".C") << nl
-                << "Expected the body of a function of x[0..2] (m) and t (s)"
-                << " that sets u[0..2]" << exit(FatalIOError);
-        }
-    }
+    if (Pstream::master() && !isFile(library, false)) compile(dict, dir, name);
     returnReduce(1, sumOp<label>());
 
     void* handle = dlOpen(library);

@@ -11,7 +11,8 @@
 
 namespace Foam
 {
-    makeTemplatePointPatchTypeField
+    defineNamedTemplateTypeNameAndDebug(openBoundaryPointPatchVectorField, 0);
+    addToPointPatchFieldRunTimeSelection
     (
         pointPatchVectorField,
         openBoundaryPointPatchVectorField
@@ -46,6 +47,12 @@ Foam::openBoundaryLoad::openBoundaryLoad(const dictionary& dict)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::openBoundaryLoad::entries()
+{
+    return patchFieldEntries({"pressure", "traction"}, {"backflowStabilisation"});
+}
+
 
 void Foam::openBoundaryLoad::write(Ostream& os) const
 {

@@ -11,7 +11,8 @@
 
 namespace Foam
 {
-    makeTemplatePointPatchTypeField
+    defineNamedTemplateTypeNameAndDebug(tractionPointPatchVectorField, 0);
+    addToPointPatchFieldRunTimeSelection
     (
         pointPatchVectorField,
         tractionPointPatchVectorField

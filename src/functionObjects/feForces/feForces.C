@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "feForces.H"
-#include "emptyPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -23,68 +22,12 @@ namespace functionObjects
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::labelList Foam::functionObjects::feForces::matching
-(
-    const wordRe& name
-) const
-{
-    DynamicList<label> found;
-    DynamicList<word> names;
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        if (isA<processorPolyPatch>(pp) || isA<emptyPolyPatch>(pp)) continue;
-        names.append(pp.name());
-        if (name.match(pp.name())) found.append(pp.index());
-    }
-    if (found.empty())
-    {
-        FatalIOErrorInFunction(dict_)
-            << "Region " << mesh_.name() << " has no patch " << name
-            << ". Its patches are " << names << exit(FatalIOError);
-    }
-    return labelList(found);
-}
-
-
 Foam::labelList Foam::functionObjects::feForces::nodes() const
 {
     const feMesh& fe = region().fe();
 
     labelHashSet found;
-    for (const wordRe& name : patches_)
-    {
-        for (const label patchi : matching(name)) found.insert(fe.patchNodes(patchi));
-    }
-    if (!Pstream::parRun()) return found.sortedToc();
-
-    // Nodes that other ranks may have too
-    boolList shared(fe.nNodes(), false);
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        if (!isA<processorPolyPatch>(pp)) continue;
-        for (const label p : pp.meshPoints())
-        {
-            if (fe.pointNode()[p] >= 0) shared[fe.pointNode()[p]] = true;
-        }
-    }
-    List<labelList> parent;
-    fe.parents(parent);
-    for (label n = fe.nVertices(); n < fe.nNodes(); ++n)
-    {
-        shared[n] = true;
-        for (const label m : parent[n]) shared[n] = shared[n] && shared[m];
-    }
-
-    DynamicList<label> keys;
-    for (const label n : found) if (shared[n]) keys.append(fe.key()[n]);
-    List<labelList> allKeys(Pstream::nProcs());
-    allKeys[Pstream::myProcNo()] = keys;
-    Pstream::gatherList(allKeys);
-    Pstream::scatterList(allKeys);
-
-    labelHashSet onPatches;
-    for (const labelList& k : allKeys) onPatches.insert(k);
-    forAll(shared, n) if (shared[n] && onPatches.found(fe.key()[n])) found.insert(n);
+    for (const label patchi : patches_) found.insert(fe.patchNodes(patchi));
     return found.sortedToc();
 }
 
@@ -117,9 +60,9 @@ bool Foam::functionObjects::feForces::read(const dictionary& dict)
 {
     feFunctionObject::read(dict);
 
-    dict.readEntry("patches", patches_);
+    reportUnknownEntries(dict, {"patches", "CofR"});
+    patches_ = region().fe().patchIndices(dict.get<wordRes>("patches"), dict);
     CofR_ = dict.lookupOrDefault<point>("CofR", Zero);
-    for (const wordRe& name : patches_) matching(name);
 
     return true;
 }

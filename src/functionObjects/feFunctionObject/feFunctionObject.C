@@ -6,8 +6,29 @@
 
 #include "feFunctionObject.H"
 #include "Time.H"
+#include "unknownEntries.H"
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+void Foam::functionObjects::tableFile::reportUnknownEntries
+(
+    const dictionary& dict,
+    const wordList& own
+)
+{
+    wordList all
+    ({
+        "type", "libs", "functionObjectLibs", "enabled", "errors", "log",
+        "region", "subRegion", "controlMode", "timeStart", "timeEnd",
+        "triggerStart", "triggerEnd", "deltaTCoeff", "nStepsToStartTimeChange",
+        "executeControl", "executeInterval", "writeControl", "writeInterval",
+        "outputControl", "outputInterval", "writePrecision", "writeToFile",
+        "useUserTime"
+    });
+    all.append(own);
+    Foam::reportUnknownEntries(dict, all);
+}
+
 
 void Foam::functionObjects::tableFile::writeColumns
 (
@@ -64,6 +85,29 @@ const Foam::feRegion& Foam::functionObjects::feFunctionObject::region() const
     }
     return *r;
 }
+
+
+template<class Type>
+const Foam::Field<Type>* Foam::functionObjects::feFunctionObject::nodal
+(
+    const word& pointField
+) const
+{
+    static const HashTable<word> names
+    ({
+        {"pointU", "U"}, {"pointD", "D"}, {"pointDisplacement", "meshDisplacement"}
+    });
+
+    const auto name = names.cfind(pointField);
+    if (!name.found()) return nullptr;
+    return region().state().find<Type>(*name);
+}
+
+template const Foam::Field<Foam::scalar>*
+Foam::functionObjects::feFunctionObject::nodal(const word&) const;
+
+template const Foam::Field<Foam::vector>*
+Foam::functionObjects::feFunctionObject::nodal(const word&) const;
 
 
 Foam::tmp<Foam::vectorField>

@@ -87,6 +87,7 @@ Foam::functionObjects::interfaceBalance::interfaceBalance
 bool Foam::functionObjects::interfaceBalance::read(const dictionary& dict)
 {
     dict_ = dict;
+    reportUnknownEntries(dict, {});
     return stateFunctionObject::read(dict) && tableFile::read(dict);
 }
 

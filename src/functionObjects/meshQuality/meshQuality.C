@@ -153,6 +153,7 @@ Foam::functionObjects::meshQuality::meshQuality
     maxAspectRatio_(0)
 {
     read(dict);
+    reportUnknownEntries(dict, {});
 
     writeHeader(file(), "Worst elements of the mesh");
     writeColumns(file(), {"minDetJ", "minScaledJacobian", "maxAspectRatio"});

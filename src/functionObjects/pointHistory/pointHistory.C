@@ -22,21 +22,20 @@ namespace functionObjects
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::label Foam::functionObjects::pointHistory::findPoint() const
+void Foam::functionObjects::pointHistory::findNode()
 {
-    const feMesh& fe = region().fe();
+    if (searched_) return;
+    searched_ = true;
 
-    label nearest = -1;
+    const feMesh& fe = region().fe();
     scalar nearestSqr = sqr(GREAT);
-    forAll(fe.pointNode(), p)
+    forAll(fe.points(), n)
     {
-        const label n = fe.pointNode()[p];
-        if (n < 0) continue;
         vector d = fe.points()[n] - location_;
         if (fe.dim() == 2) d[fe.axis(2)] = 0;
         if (magSqr(d) < nearestSqr)
         {
-            nearest = p;
+            node_ = n;
             nearestSqr = magSqr(d);
         }
     }
@@ -48,28 +47,50 @@ Foam::label Foam::functionObjects::pointHistory::findPoint() const
         nearestSqr <= minSqr ? Pstream::myProcNo() : labelMax,
         minOp<label>()
     );
-
     const scalar distance = Foam::sqrt(minSqr);
-    if (!begun_ && distance > 1e-6*mag(mesh_.bounds().span()))
+    if (distance > 1e-6*mag(mesh_.bounds().span()))
     {
         IOWarningInFunction(dict_)
-            << "The nearest point of region " << mesh_.name() << " is "
+            << "The nearest node of region " << mesh_.name() << " is "
             << distance << " m from the location " << location_ << nl << endl;
     }
-    return rank == Pstream::myProcNo() ? nearest : -1;
+
+    if (rank != Pstream::myProcNo())
+    {
+        node_ = -1;
+        return;
+    }
+    labelList vertices(1, node_);
+    if (node_ >= fe.nVertices())
+    {
+        vertices = fe.parents()[node_];
+    }
+    points_ = UIndirectList<label>(fe.vertexPoint(), vertices);
 }
 
 
 template<class Type>
-bool Foam::functionObjects::pointHistory::sample(const label pointi)
+Type Foam::functionObjects::pointHistory::valueOf
+(
+    const GeometricField<Type, pointPatchField, pointMesh>& field
+) const
+{
+    if (node_ < 0) return Zero;
+
+    const Field<Type>* unknowns = points_.size() > 1 ? nodal<Type>(field_) : nullptr;
+    return unknowns ? (*unknowns)[node_] : average(Field<Type>(field.primitiveField(), points_));
+}
+
+
+template<class Type>
+bool Foam::functionObjects::pointHistory::sample()
 {
     typedef GeometricField<Type, pointPatchField, pointMesh> fieldType;
 
     const fieldType* f = mesh_.cfindObject<fieldType>(field_);
     if (!f) return false;
 
-    Type v = pointi < 0 ? Type(Zero) : (*f)[pointi];
-    reduce(v, sumOp<Type>());
+    const Type v = returnReduce(valueOf(*f), sumOp<Type>());
     setResult("value", v);
 
     value_.setSize(pTraits<Type>::nComponents);
@@ -83,7 +104,7 @@ void Foam::functionObjects::pointHistory::writeFileHeader()
     if (begun_) return;
     begun_ = true;
 
-    writeHeader(file(), field_ + " at the point next to the location");
+    writeHeader(file(), field_ + " at the node next to the location");
     writeHeaderValue(file(), "location", location_);
     if (value_.size() == 1) writeColumns(file(), {"value"});
     else
@@ -105,7 +126,9 @@ Foam::functionObjects::pointHistory::pointHistory
 )
 :
     feFunctionObject(name, runTime, dict, typeName),
-    begun_(false)
+    searched_(false),
+    begun_(false),
+    node_(-1)
 {
     read(dict);
 }
@@ -119,6 +142,8 @@ bool Foam::functionObjects::pointHistory::read(const dictionary& dict)
 
     dict.readEntry("field", field_);
     dict.readEntry("location", location_);
+    reportUnknownEntries(dict, {"field", "location"});
+    searched_ = false;
 
     return true;
 }
@@ -126,8 +151,8 @@ bool Foam::functionObjects::pointHistory::read(const dictionary& dict)
 
 bool Foam::functionObjects::pointHistory::execute()
 {
-    const label pointi = findPoint();
-    if (sample<vector>(pointi) || sample<scalar>(pointi)) return true;
+    findNode();
+    if (sample<vector>() || sample<scalar>()) return true;
 
     wordList names(mesh_.sortedNames<pointVectorField>());
     names.append(mesh_.sortedNames<pointScalarField>());
