@@ -43,14 +43,15 @@ def shell(command, log):
 def scratch():
     """An empty directory of this test"""
 
-    test = os.path.dirname(os.path.abspath(sys.argv[0]))
+    group, test = os.path.dirname(os.path.abspath(sys.argv[0])).split(os.sep)[-2:]
     base = os.path.join(ROOT, 'tests', 'scratch')
-    directory = os.path.join(base, 'convergence.' + os.path.basename(test))
+    directory = os.path.join(base, group + '.' + test)
     shutil.rmtree(directory, ignore_errors=True)
     os.makedirs(directory)
     with open(os.path.join(base, '.gitignore'), 'w') as file:
         file.write('*\n')
-    shell('wmake -s %s/manufactured' % HERE, os.path.join(directory, 'log.wmake'))
+    if group == 'convergence':
+        shell('wmake -s %s/manufactured' % HERE, os.path.join(directory, 'log.wmake'))
     return directory
 
 
@@ -83,9 +84,17 @@ def brickCells(kind, v):
     return [tet((v[0], v[ring[i]], v[ring[(i + 1) % 6]], v[6])) for i in range(6)]
 
 
-def writeMesh(directory, kind, n, distort=True, place=lambda x: x):
+def scattered(nCells, ranks, shift=0):
+    """Rank of each cell: parts that touch each other, and patches, in all ways"""
+
+    return [(5*i + i//7 + shift) % ranks for i in range(nCells)]
+
+
+def writeMesh(directory, kind, n, distort=True, place=lambda x: x, part=lambda x: True):
     """polyMesh of n elements a side: quad, tri, hex, prism or tet; patches left,
-    right, bottom, top, back, front; place puts the unit box elsewhere"""
+    right, bottom, top, back, front; place puts the unit box elsewhere. Of the
+    n^dim bricks only those in whose centre part(x) is true; where this makes new
+    sides, these are the patch interface. Returns the number of cells"""
 
     dim = 2 if kind in ('quad', 'tri') else 3
     nz = 1 if dim == 2 else n
@@ -95,10 +104,12 @@ def writeMesh(directory, kind, n, distort=True, place=lambda x: x):
     for k in range(nz):
         for j in range(n):
             for i in range(n):
+                if not part(((i + 0.5)/n, (j + 0.5)/n, (k + 0.5)/nz)):
+                    continue
                 cells += brickCells(kind, [index(i + a, j + b, k + c)
                     for c in (0, 1) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))])
 
-    seen, inner, outer = {}, [], [[] for _ in range(6)]
+    seen, inner, outer = {}, [], [[] for _ in range(7)]
     for celli, faces in enumerate(cells):
         for face in faces:
             key = tuple(sorted(face))
@@ -109,13 +120,13 @@ def writeMesh(directory, kind, n, distort=True, place=lambda x: x):
                 seen[key] = (celli, face)
     inner.sort()
     for celli, face in seen.values():
-        for a in range(3):
-            for side in (0, 1):
-                if all(unit[p][a] == side for p in face):
-                    outer[2*a + side].append((celli, None, face))
+        sides = [2*a + side for a in range(3) for side in (0, 1) if all(unit[p][a] == side for p in face)]
+        outer[sides[0] if sides else 6].append((celli, None, face))
     faces = inner + sum(outer, [])
 
-    points = [place(distorted(x, dim) if distort else x) for x in unit]
+    used = sorted({p for _, _, face in faces for p in face})
+    number = {p: i for i, p in enumerate(used)}
+    points = [place(distorted(unit[p], dim) if distort else unit[p]) for p in used]
     os.makedirs(directory, exist_ok=True)
 
     def write(name, what, rows):
@@ -125,15 +136,18 @@ def writeMesh(directory, kind, n, distort=True, place=lambda x: x):
             file.write(')\n')
 
     write('points', 'vectorField', ['(%.17g %.17g %.17g)' % x for x in points])
-    write('faces', 'faceList', ['%d(%s)' % (len(f), ' '.join(map(str, f))) for _, _, f in faces])
+    write('faces', 'faceList', ['%d(%s)' % (len(f), ' '.join(str(number[p]) for p in f)) for _, _, f in faces])
     write('owner', 'labelList', [str(f[0]) for f in faces])
     write('neighbour', 'labelList', [str(f[1]) for f in inner])
     start, rows = len(inner), []
-    for name, side in zip(('left', 'right', 'bottom', 'top', 'back', 'front'), outer):
+    for name, side in zip(('left', 'right', 'bottom', 'top', 'back', 'front', 'interface'), outer):
+        if name == 'interface' and not side:
+            continue
         patchType = 'empty' if dim == 2 and name in ('back', 'front') else 'patch'
         rows.append('%s { type %s; nFaces %d; startFace %d; }' % (name, patchType, len(side), start))
         start += len(side)
     write('boundary', 'polyBoundaryMesh', rows)
+    return len(cells)
 
 
 # -- Cases ---------------------------------------------------------------------

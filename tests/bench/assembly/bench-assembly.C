@@ -99,20 +99,18 @@ void machine()
 double scatterTime(flowMesh& m, feMatrix& K)
 {
     const elementBlock& block = m.fe.blocks()[0];
-    const int dim = m.fe.dim(), nV = block.nNodes;
-    int nP = nV;
-    if (!m.k.equalOrder) withElement(block, [&](auto E) { nP = E.nVertices; });
-    const std::vector<pack> values(nV*nV*dim*dim, pack(1e-3));
+    const label n = m.fe.dim()*block.nNodes;
+    const std::vector<pack> values(n*n, pack(1e-3));
     return best([&]()
     {
         #pragma omp parallel
         block.forBatches([&](const label batch)
         {
             const pack* k = values.data();
-            K.add(m.scatter[0], block, batch, k, nV, nV, dim, dim, 0, 0, 1);
-            K.add(m.scatter[0], block, batch, k, nV, nP, dim, 1, 0, dim, 1);
-            K.add(m.scatter[0], block, batch, k, nP, nV, 1, dim, dim, 0, 1);
-            K.add(m.scatter[0], block, batch, k, nP, nP, 1, 1, dim, dim, 1);
+            for (const label row : {0, 1}) for (const label col : {0, 1})
+            {
+                K.add(m.scatter[0], block, batch, k, row, col, 1);
+            }
         });
     });
 }

@@ -64,9 +64,9 @@ void reportErrors(const feRegion& region, const scalar t)
         const aleFluid& fluid = refCast<const aleFluid>(region);
 
         // Taylor-Hood's pressure is that of the vertices
-        scalarField p(fluid.pressure().v);
-        List<labelList> parent;
-        if (fe.order() == 2) fe.parents(parent);
+        scalarField p(fluid.endPressure());
+        p.setSize(fe.nNodes());
+        const List<labelList>& parent = fe.parents();
         forAll(parent, n)
         {
             if (parent[n].empty()) continue;
@@ -79,7 +79,7 @@ void reportErrors(const feRegion& region, const scalar t)
     }
     else
     {
-        const motionField& motion = refCast<const nonlinearSolid>(region).motion();
+        const motionField& motion = region.motion();
         Info<< "errors D " << errorNorm(fe, motion.D, [&](const point& x) { return s.D(x, t); });
         if (!region.timeScheme().steady())
         {

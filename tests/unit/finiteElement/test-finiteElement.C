@@ -15,7 +15,7 @@ Description
 
 #include "runOnRanks.H"
 
-int main(int argc, char* argv[]) { return Foam::runOnRanks(argc, argv, "nodeMap.*:decomposed.*"); }
+int main(int argc, char* argv[]) { return Foam::runOnRanks(argc, argv, "nodeMap.*:decomposed.*:*OnRanks.*"); }
 
 
 // ************************************************************************* //

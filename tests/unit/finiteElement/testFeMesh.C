@@ -373,6 +373,39 @@ TEST(feMesh, interpolatesLinearFieldsAndMovesPoints)
 }
 
 
+TEST(feMesh, patchesByNameGroupAndPattern)
+{
+    const shapeMesh box("hex", {2, 1, 1}, distorted, shapeMesh::twoD());
+    const polyBoundaryMesh& patches = box.mesh().boundaryMesh();
+    for (const word name : {"left", "top"})
+    {
+        const_cast<polyPatch&>(patches[name]).inGroups() = wordList({"held"});
+    }
+    const feMesh fe(box.mesh(), 1, dictionary());
+    const auto of = [&](const string& list)
+    {
+        return fe.patchIndices(entries("patches " + list + ";").get<wordRes>("patches"), dictionary::null);
+    };
+    const auto indices = [&](const wordList& names)
+    {
+        labelList i;
+        for (const word& name : names) i.append(patches.findPatchID(name));
+        Foam::sort(i);
+        return i;
+    };
+    EXPECT_EQ(of("(left right)"), indices({"left", "right"}));
+    EXPECT_EQ(of("(held)"), indices({"left", "top"}));
+    EXPECT_EQ(of("(held \"(l|r).*\" left)"), indices({"left", "right", "top"}));
+
+    EXPECT_HAS(complaint([&]() { of("()"); }), "The list of patches is empty");
+    const std::string message(complaint([&]() { of("(left heldd)"); }));
+    EXPECT_HAS(message, "no patch 'heldd'");
+    EXPECT_HAS(message, "left");
+    EXPECT_HAS(message, "its groups");
+    EXPECT_HAS(message, "held");
+}
+
+
 TEST(feMesh, complainsOfInvertedCells)
 {
     // A concave corner, and a cell whose area is negative

@@ -8,31 +8,19 @@ Description
     more.
 \*---------------------------------------------------------------------------*/
 
+#include "decomposedCase.H"
 #include "feMesh.H"
 #include "nodeMap.H"
-#include "Time.H"
+#include "gatherAll.H"
 #include "Random.H"
-#include "OSspecific.H"
-#include "PstreamReduceOps.H"
-#include "ListListOps.H"
+#include "IStringStream.H"
 #include <gtest/gtest.h>
 #include <map>
-#include <cstdlib>
 
 using namespace Foam;
 
 namespace
 {
-
-template<class T>
-List<T> gathered(const UList<T>& mine)
-{
-    List<List<T>> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = mine;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-    return ListListOps::combine<List<T>>(all, accessOp<List<T>>());
-}
 
 //- Eight nodes a rank, of which the next one has three, too, and one of all
 labelList chain()
@@ -52,40 +40,6 @@ labelList counts(const labelList& key)
     n.last() = Pstream::myProcNo() == Pstream::nProcs() - 1 ? 4 : 1;
     return n;
 }
-
-//- Case of the script fsiPatch on the ranks of this run
-struct decomposedCase
-{
-    fileName dir;
-    autoPtr<Time> time;
-    autoPtr<polyMesh> mesh;
-
-    explicit decomposedCase(const label dim)
-    {
-        std::string name = "/tmp/test-finiteElement-XXXXXX";
-        if (Pstream::master())
-        {
-            dir = ::mkdtemp(&name[0]);
-            const std::string make = getEnv("MONOLITHICFOAM_DIR") + "/tests/resources/fsiPatch " + dir
-                + " nx=4 ny=3 dim=" + std::to_string(dim) + " ranks=" + std::to_string(Pstream::nProcs());
-            if (std::system(make.c_str())) FatalErrorInFunction << make.c_str() << exit(FatalError);
-        }
-        Pstream::scatter(dir);
-        fileName caseName(dir.name());
-        if (Pstream::parRun()) caseName = caseName/("processor" + Foam::name(Pstream::myProcNo()));
-        time.reset(new Time(Time::controlDictName, fileName(dir.path()), caseName));
-        mesh.reset(new polyMesh(IOobject("fluid", time->constant(), time(), IOobject::MUST_READ)));
-    }
-
-    ~decomposedCase()
-    {
-        mesh.clear();
-        time.clear();
-        label done = 1;
-        reduce(done, sumOp<label>());
-        if (Pstream::master()) rmDir(dir);
-    }
-};
 
 } // End anonymous namespace
 
@@ -114,9 +68,9 @@ TEST(nodeMap, numbersAreContiguousAndOfOneNodeOne)
         if (map.owned(i)) owners.append(10*key[i] + c);
         EXPECT_EQ(map.global(map.start(i) + c), map.global(map.start(i)) + c);
     }
-    keys = gathered(keys);
-    numbers = gathered(numbers);
-    owners = gathered(owners);
+    keys = gatherAll<label>(keys);
+    numbers = gatherAll<label>(numbers);
+    owners = gatherAll<label>(owners);
     std::map<label, label> numberOf, keyOf;
     forAll(keys, i)
     {
@@ -135,7 +89,7 @@ TEST(nodeMap, sumCountsCopies)
     const labelList key(chain());
     const nodeMap map(key, counts(key));
     std::map<label, label> copies;
-    for (const label k : gathered(key)) ++copies[k];
+    for (const label k : gatherAll<label>(key)) ++copies[k];
 
     scalarField x(map.nUnknowns(), 1);
     map.sum(x);
@@ -163,8 +117,8 @@ TEST(nodeMap, copiesAgreeToTheBit)
     {
         labelList keys;
         forAll(key, i) for (label c = 0; c < map.nUnknowns(i); ++c) keys.append(10*key[i] + c);
-        keys = gathered(keys);
-        const scalarField all(gathered(x));
+        keys = gatherAll<label>(keys);
+        const scalarField all(gatherAll<scalar>(x));
         std::map<label, scalar> valueOf;
         forAll(keys, i) EXPECT_EQ(valueOf.emplace(keys[i], all[i]).first->second, all[i]);
     };
@@ -192,7 +146,11 @@ TEST(decomposed, aPlaceHasOneKey)
 {
     for (const label dim : {2, 3})
     {
-        const decomposedCase c(dim);
+        const decomposedCase c
+        (
+            "fsiPatch",
+            "nx=4 ny=3 dim=" + std::to_string(dim) + " ranks=" + std::to_string(Pstream::nProcs())
+        );
         for (const label order : {1, 2})
         {
             SCOPED_TRACE(std::to_string(dim) + "-D, order " + std::to_string(order));
@@ -203,8 +161,8 @@ TEST(decomposed, aPlaceHasOneKey)
             EXPECT_EQ(map.numbering().size(), n*m*depth);
             EXPECT_EQ(returnReduce(fe.nElements(), sumOp<label>()), 12*(dim - 1));
 
-            const vectorField X(gathered(fe.points()));
-            const labelList keys(gathered(fe.key()));
+            const vectorField X(gatherAll<vector>(fe.points()));
+            const labelList keys(gatherAll<label>(fe.key()));
             forAll(X, i) forAll(X, j)
             {
                 EXPECT_EQ(mag(X[i] - X[j]) < 1e-10, keys[i] == keys[j]) << X[i].x() << ' ' << X[j].x();
@@ -214,12 +172,73 @@ TEST(decomposed, aPlaceHasOneKey)
             // Every patch's nodes, counted once, are those of one rank
             const label patchi = c.mesh->boundaryMesh().findPatchID("wet");
             labelHashSet wet;
-            for (const label k : gathered(labelList(UIndirectList<label>(fe.key(), fe.patchNodes(patchi))())))
+            for (const label k : gatherAll<label>(labelList(UIndirectList<label>(fe.key(), fe.patchNodes(patchi))())))
             {
                 wet.insert(k);
             }
             EXPECT_EQ(wet.size(), n*depth);
         }
+    }
+}
+
+
+TEST(decomposed, patchNodesAreComplete)
+{
+    for (const std::string kind : {"tri", "quad", "tet", "hex"})
+    {
+        const std::string ranks = std::to_string(Pstream::nProcs());
+        const decomposedCase c("scatteredBox", kind + " 4 " + ranks + " cyclic");
+        for (const label order : {1, 2})
+        {
+            SCOPED_TRACE(kind + ", order " + std::to_string(order));
+            const feMesh fe(c.mesh(), order, dictionary());
+
+            // Nodes opposite to each other on cyclic patches are two
+            const label n = 4*order + 1;
+            EXPECT_EQ(fe.copies().numbering().size(), fe.dim() == 2 ? n*n : n*n*n);
+
+            label nTouchedOnly = 0;
+            const char* names[] = {"left", "right", "bottom", "top"};
+            for (label side = 0; side < 4; ++side)
+            {
+                const label patchi = c.mesh->boundaryMesh().findPatchID(names[side]);
+                labelList expected;
+                forAll(fe.points(), i)
+                {
+                    if (mag(fe.points()[i][side/2] - side%2) < 1e-10) expected.append(i);
+                }
+                EXPECT_EQ(fe.patchNodes(patchi), expected) << names[side];
+
+                labelHashSet onFaces;
+                for (const elementBlock& block : fe.patchBlocks(patchi)) onFaces.insert(block.nodes);
+                nTouchedOnly += expected.size() - onFaces.size();
+            }
+            reduce(nTouchedOnly, sumOp<label>());
+            const bool simplices = kind[0] == 't';
+            EXPECT_EQ(nTouchedOnly > 0, simplices && Pstream::parRun());
+        }
+    }
+}
+
+
+TEST(decomposed, curvedPatchesAreThoseOfOneRank)
+{
+    // The surface turns the left side's mid-side nodes inwards, also those of
+    // ranks that have no face there
+    const decomposedCase c("scatteredBox", "tri 4 " + std::to_string(Pstream::nProcs()));
+    const dictionary dict
+    (
+        IStringStream
+        (
+            "curvedPatches { left { type searchableSphere; centre (-10 0.5 0.5); radius 10.01; } }"
+        )()
+    );
+    const feMesh fe(c.mesh(), 2, dict), straight(c.mesh(), 2, dictionary());
+    forAll(fe.points(), n)
+    {
+        const point& X = straight.points()[n];
+        const bool curved = mag(X.x()) < 1e-10 && n >= fe.nVertices();
+        EXPECT_EQ(mag(fe.points()[n] - X) > 1e-6, curved) << n;
     }
 }
 

@@ -258,6 +258,30 @@ TEST(meshStiffness, complains)
     EXPECT_NE(of("stiffness soft;").find("inverseDistance"), std::string::npos) << of("stiffness soft;");
     EXPECT_NE(of("zones { near 3; }").find("no cellZone 'near'"), std::string::npos);
     EXPECT_NE(of("stiffness inverseDistance; patches (flag);").find("no patch 'flag'"), std::string::npos);
+    EXPECT_NE(of("exponent 1e3;").find("from 0 to 10"), std::string::npos);
+}
+
+
+TEST(meshStiffness, factorsOfZones)
+{
+    const shapeMesh box("hex", {2, 1, 1}, distorted, shapeMesh::twoD());
+    polyMesh& mesh = const_cast<polyMesh&>(box.mesh());
+    mesh.addZones
+    (
+        List<pointZone*>(), List<faceZone*>(),
+        List<cellZone*>(1, new cellZone("near", labelList(1, 0), 0, mesh.cellZones()))
+    );
+    const feMesh fe(mesh, 1, dictionary());
+    const scalarField k(meshStiffness::elements(fe, entries("stiffness uniform; zones { near 3; }"))[0]);
+    EXPECT_EQ(k[0], 3);
+    EXPECT_EQ(k[1], 1);
+
+    for (const string factor : {"0", "-2", "{}"})
+    {
+        const string dict("zones { near " + factor + (factor == "{}" ? "" : ";") + " }");
+        const std::string message(complaint([&]() { meshStiffness::elements(fe, entries(dict)); }));
+        EXPECT_NE(message.find("cellZone near under zones is no number > 0"), std::string::npos) << message;
+    }
 }
 
 

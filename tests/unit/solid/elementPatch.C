@@ -36,10 +36,23 @@ static label dimension(const elementShape shape)
     return shape == elementShape::TRI || shape == elementShape::QUAD ? 2 : 3;
 }
 
-static PtrList<elementScatter> makeScatter(const elementBlock& block, const label nNodes)
+//- A box of at least some nodes
+static FixedList<label, 3> divisions(const label dim, const label nNodes)
+{
+    label n = 1;
+    while (::pow(n + 1.0, scalar(dim)) < nNodes) ++n;
+    return {n, n, dim == 2 ? 1 : n};
+}
+
+static List<fieldLayout::field> fields()
+{
+    return {{"pointD", fieldLayout::kind::VECTOR, fieldLayout::support::NODES, dimLength}};
+}
+
+static PtrList<elementScatter> makeScatter(const elementBlock& block, const fieldUnknowns& unknowns)
 {
     PtrList<elementScatter> scatter;
-    scatter.append(new elementScatter(block, identity(nNodes), identity(nNodes)));
+    scatter.append(new elementScatter(block, unknowns));
     return scatter;
 }
 
@@ -71,12 +84,20 @@ Foam::elementPatch::elementPatch
     const labelList& nodes
 )
 :
-    material_(material),
+    loop_(material.elementLoop()),
     dim_(dimension(shape)),
     X_(X),
     block_(makeBlock(shape, order, X.size(), nodes)),
-    map_(identity(X.size()), labelList(X.size(), dim_)),
-    scatter_(makeScatter(block_, X.size())),
+    box_
+    (
+        "hex", divisions(dim_, X.size()), [](const point& p) { return p; },
+        dim_ == 2 ? shapeMesh::twoD() : HashTable<word>()
+    ),
+    fe_(box_.mesh(), 1, dictionary()),
+    layout_(fe_, fields()),
+    map_(layout_.keys(), fieldUnknowns::counts(layout_)),
+    unknowns_(layout_, map_),
+    scatter_(makeScatter(block_, unknowns_)),
     K_(map_, map_, nullptr, scatter_),
     minDetJ_(GREAT),
     stage(X_, {0, 1, 2})
@@ -104,7 +125,7 @@ Foam::vectorField Foam::elementPatch::toNodes(const Eigen::VectorXd& x) const
 Eigen::VectorXd Foam::elementPatch::force()
 {
     vectorField f(X_.size(), Zero);
-    minDetJ_ = material_.assemble(block_, stage, f, nullptr);
+    minDetJ_ = loop_->assemble(block_, stage, f, nullptr);
     return toUnknowns(f);
 }
 
@@ -114,7 +135,7 @@ Eigen::MatrixXd Foam::elementPatch::tangent()
     K_.clear();
     vectorField f(X_.size(), Zero);
     const solidMatrix to{K_, scatter_[0]};
-    minDetJ_ = material_.assemble(block_, stage, f, &to);
+    minDetJ_ = loop_->assemble(block_, stage, f, &to);
 
     labelList row, col;
     scalarField value;

@@ -78,14 +78,15 @@ public:
 
         time_.reset(new Time(Time::controlDictName, fileName(dir_.path()), fileName(dir_.name())));
         mesh_.reset(new fvMesh(IOobject(fvMesh::defaultRegion, "constant", time_(), IOobject::MUST_READ)));
-        solid.reset(new nonlinearSolid(mesh_()));
+        solid.reset(new nonlinearSolid(mesh_(), dictionary()));
 
-        const label n = solid->fe().nNodes();
-        map_.reset(new nodeMap(solid->fe().key(), labelList(n, solid->fe().dim())));
-        constraints_.reset(new dofConstraints(map_->nUnknowns()));
-        solid->connect(identity(n), map_());
+        const fieldLayout& layout = solid->layout();
+        map_.reset(new nodeMap(layout.keys(), fieldUnknowns::counts(layout)));
+        constraints_.reset(new dofConstraints(map_()));
+        solid->number(map_(), identity(layout.nEntities()), fieldUnknowns::offsets(layout));
         solid->constrain(constraints_());
         constraints_->close();
+        solid->connect();
         K_.reset(new feMatrix(map_(), map_(), constraints_.get(), solid->scatter()));
         time_->setDeltaT(0.1);
         solid->timeScheme().setDeltaT(0.1);
@@ -94,7 +95,7 @@ public:
     //- To the next time
     void next()
     {
-        solid->state().store();
+        solid->state().shift();
         ++time_();
         solid->predict(time_->value());
     }
@@ -150,10 +151,11 @@ public:
     //- Displacement of the node at a position in the plane
     vector displacement(const point& X) const
     {
+        const feRegion& region = solid();
         forAll(solid->fe().points(), n)
         {
             const vector d = solid->fe().points()[n] - X;
-            if (mag(d.x()) + mag(d.y()) < 1e-6) return solid->motion().D[n];
+            if (mag(d.x()) + mag(d.y()) < 1e-6) return region.motion().D[n];
         }
         return vector::max;
     }
@@ -333,7 +335,7 @@ TEST(nonlinearSolid, derivesItsOutput)
     cook(c, "2", "quadratic");
 
     // Uniform stretch along y: P33 of plane strain makes part of von Mises'
-    motionField& motion = *c.solid->interfaceMotion();
+    motionField& motion = c.solid->motion();
     const scalar F = 1.1, mu = 200/2.7, lambda = 200*0.35/(1.35*0.3);
     forAll(motion.D, n) motion.D[n] = vector(0, (F - 1)*c.solid->fe().points()[n].y(), 0);
     c.solid->derive();
@@ -370,7 +372,7 @@ TEST(nonlinearSolid, hasMaterialsByCellZone)
     expectComplaint(unknown, "Its cellZones are 1(one)");
     cube(noDict);
     noDict.materials = "a 1;";
-    expectComplaint(noDict, "is no dictionary");
+    expectComplaint(noDict, "is no list of materials, expected");
     cube(noType);
     noType.materials = "a { type steel; }";
     expectComplaint(noType, "StVenantKirchhoff");
