@@ -27,7 +27,12 @@ Foam::word Foam::restartFields::cellName(const word& part, const label k) const
 
 
 template<class Type>
-void Foam::restartFields::write(const word& part, const Field<Type>& values) const
+void Foam::restartFields::write
+(
+    const word& part,
+    const Field<Type>& values,
+    const bool mid
+) const
 {
     typedef GeometricField<Type, pointPatchField, pointMesh> pointFieldType;
     const feMesh& fe = region_.fe();
@@ -38,7 +43,7 @@ void Foam::restartFields::write(const word& part, const Field<Type>& values) con
     );
     fe.toPoints<Type>(values, atPoints.primitiveFieldRef());
     atPoints.write();
-    if (values.size() <= fe.nVertices()) return;
+    if (!mid) return;
 
     const label n = perTensor<Type>(), nCmpts = pTraits<Type>::nComponents;
     for (label k = 0; k < nTensors<Type>(); ++k)
@@ -60,14 +65,19 @@ void Foam::restartFields::write(const word& part, const Field<Type>& values) con
 
 
 template<class Type>
-void Foam::restartFields::read(const word& part, Field<Type>& values) const
+void Foam::restartFields::read
+(
+    const word& part,
+    Field<Type>& values,
+    const bool mid
+) const
 {
     typedef GeometricField<Type, pointPatchField, pointMesh> pointFieldType;
     const feMesh& fe = region_.fe();
 
     const pointFieldType atPoints(io(part, IOobject::MUST_READ), pointMesh::New(region_.mesh()));
     for (label n = 0; n < fe.nVertices(); ++n) values[n] = atPoints[fe.vertexPoint()[n]];
-    if (values.size() <= fe.nVertices()) return;
+    if (!mid) return;
 
     const label n = perTensor<Type>(), nCmpts = pTraits<Type>::nComponents;
     for (label k = 0; k < nTensors<Type>(); ++k)
@@ -91,8 +101,16 @@ void Foam::restartFields::forLists(const F& f) const
     {
         const HashTable<vectorField*> vectors(part.vectors());
         const HashTable<scalarField*> scalars(part.scalars());
-        for (const word& name : vectors.sortedToc()) if (!vectors[name]->empty()) f(name, *vectors[name]);
-        for (const word& name : scalars.sortedToc()) if (!scalars[name]->empty()) f(name, *scalars[name]);
+        const bool mid = part.on() == fieldLayout::support::NODES && region_.fe().order() == 2;
+        const auto any = [](const label n) { return returnReduce(n, sumOp<label>()) > 0; };
+        for (const word& name : vectors.sortedToc())
+        {
+            if (any(vectors[name]->size())) f(name, *vectors[name], mid);
+        }
+        for (const word& name : scalars.sortedToc())
+        {
+            if (any(scalars[name]->size())) f(name, *scalars[name], mid);
+        }
     }
 }
 
@@ -129,7 +147,7 @@ Foam::restartFields::restartFields(feRegion& region)
 void Foam::restartFields::write() const
 {
     const unsigned digits = IOstream::defaultPrecision(17);
-    forLists([&](const word& name, const auto& list) { write(name, list); });
+    forLists([&](const word& name, const auto& list, const bool mid) { write(name, list, mid); });
     IOstream::defaultPrecision(digits);
 }
 
@@ -137,11 +155,11 @@ void Foam::restartFields::write() const
 bool Foam::restartFields::found() const
 {
     bool all = true;
-    forLists([&](const word& name, const auto& list)
+    forLists([&](const word& name, const auto& list, const bool mid)
     {
         typedef typename std::decay<decltype(list[0])>::type Type;
         all = all && isFile(io(name, IOobject::MUST_READ).objectPath());
-        if (list.size() <= region_.fe().nVertices()) return;
+        if (!mid) return;
         for (label k = 0; k < nTensors<Type>(); ++k)
         {
             all = all && isFile(io(cellName(name, k), IOobject::MUST_READ).objectPath());
@@ -153,7 +171,7 @@ bool Foam::restartFields::found() const
 
 void Foam::restartFields::read()
 {
-    forLists([&](const word& name, auto& list) { read(name, list); });
+    forLists([&](const word& name, auto& list, const bool mid) { read(name, list, mid); });
 }
 
 
