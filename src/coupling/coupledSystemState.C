@@ -10,8 +10,6 @@ Description
 #include "coupledSystem.H"
 #include "restartFields.H"
 #include "trapsOff.H"
-#include "IFstream.H"
-#include "OFstream.H"
 #include "IStringStream.H"
 #include "OStringStream.H"
 #include "OSspecific.H"
