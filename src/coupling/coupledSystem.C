@@ -10,6 +10,26 @@
 #include "unknownEntries.H"
 #include "subDictOrEmpty.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static bool consistentRates(const dictionary& solution)
+{
+    const wordList valid({"nil", "consistent"});
+    const word rates(solution.lookupOrDefault<word>("initialRates", valid[0]));
+    if (!valid.found(rates))
+    {
+        FatalIOErrorInFunction(solution)
+            << "Unknown initialRates " << rates << ". Valid: " << valid << exit(FatalIOError);
+    }
+    return rates == valid[1];
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::coupledSystem::readRegions()
@@ -149,8 +169,8 @@ Foam::coupledSystem::coupledSystem(Time& runTime)
     newton_(subDictOrEmpty(solution_, "newton"))
 {
     trapsOff::inThreads();
-    reportUnknownEntries(solution_, {"newton", "linearSolver"});
-    for (const word& control : {"adjustTimeStep", "maxCo", "maxDeltaT"})
+    reportUnknownEntries(solution_, {"newton", "linearSolver", "initialRates"});
+    for (const word control : {"adjustTimeStep", "maxCo", "maxDeltaT"})
     {
         if (!runTime.controlDict().found(control)) continue;
         IOWarningInFunction(runTime.controlDict())
@@ -159,7 +179,10 @@ Foam::coupledSystem::coupledSystem(Time& runTime)
     readRegions();
     readInterfaces();
     makeSystem();
-    if (!readState()) followAtStart();
+    const bool consistent = consistentRates(solution_);
+    if (readState()) return;
+    followAtStart();
+    if (consistent) startConsistently();
 }
 
 

@@ -20,6 +20,27 @@ namespace Foam
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Present positions, of mid-side nodes the means of their ends
+static vectorField straightSided(const feRegion& region)
+{
+    const feMesh& fe = region.fe();
+    vectorField x(fe.points() + region.motion().D);
+    for (label n = fe.nVertices(); n < x.size(); ++n)
+    {
+        x[n] = Zero;
+        for (const label m : fe.parents()[n]) x[n] += x[m]/scalar(fe.parents()[n].size());
+    }
+    return x;
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::matchingInterface::fail
@@ -78,20 +99,21 @@ Foam::matchingInterface::matchingInterface
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::List<Foam::labelPair> Foam::matchingInterface::joined
+Foam::matchingInterface::pairing Foam::matchingInterface::pairs
 (
+    const vectorField& solidPoints,
     const labelUList& solidKey,
+    const vectorField& fluidPoints,
     const labelUList& fluidKey
 ) const
 {
-    const feMesh &fluidMesh = fluid().fe(), &solidMesh = solid().fe();
     const labelList fluidN(fluidNodes()), solidN(solidNodes());
 
     // In 2-D the meshes may lie at different depths
-    const label depth = fluidMesh.dim() == 2 ? fluidMesh.axis(2) : -1;
+    const label depth = fluid().fe().dim() == 2 ? fluid().fe().axis(2) : -1;
     const auto flat = [&](point p) { if (depth >= 0) p[depth] = 0; return p; };
 
-    pointField all(gatherAll<point>(pointField(solidMesh.points(), solidN)));
+    pointField all(gatherAll<point>(pointField(solidPoints, solidN)));
     for (point& p : all) p = flat(p);
     const labelList allKeys(gatherAll<label>(labelList(UIndirectList<label>(solidKey, solidN))));
 
@@ -102,36 +124,59 @@ Foam::List<Foam::labelPair> Foam::matchingInterface::joined
     bb.max() += vector::uniform(SMALL + 1e-3*bb.mag());
     const indexedOctree<treeDataPoint> tree(treeDataPoint(all), bb, 10, 10, 3);
 
-    DynamicList<labelPair> pairs;
-    DynamicList<scalar> gaps;
-    DynamicList<point> places;
+    pairing p;
     for (const label n : fluidN)
     {
-        const point X = flat(fluidMesh.points()[n]);
+        const point X = flat(fluidPoints[n]);
         const pointIndexHit hit = tree.findNearest(X, sqr(GREAT));
         const scalar gap = hit.hit() ? mag(X - hit.hitPoint()) : GREAT;
         if (gap <= tolerance)
         {
-            pairs.append(labelPair(allKeys[hit.index()], fluidKey[n]));
+            p.keys.append(labelPair(allKeys[hit.index()], fluidKey[n]));
             continue;
         }
-        gaps.append(gap);
-        places.append(fluidMesh.points()[n]);
+        p.gaps.append(gap);
+        p.places.append(fluidPoints[n]);
     }
-    const List<labelPair> allPairs(gatherAll<labelPair>(pairs));
+    p.keys = gatherAll<labelPair>(p.keys);
 
     // Solid nodes that no fluid node of any rank has met
     labelHashSet met;
-    for (const labelPair& pair : allPairs) met.insert(pair.first());
+    for (const labelPair& pair : p.keys) met.insert(pair.first());
     for (const label n : solidN)
     {
         if (met.found(solidKey[n])) continue;
-        gaps.append(0);
-        places.append(solidMesh.points()[n]);
+        p.gaps.append(0);
+        p.places.append(solidPoints[n]);
     }
-    fail(gatherAll<scalar>(gaps), gatherAll<point>(places));
+    p.gaps = gatherAll<scalar>(p.gaps);
+    p.places = gatherAll<point>(p.places);
+    return p;
+}
+
+
+Foam::List<Foam::labelPair> Foam::matchingInterface::joined
+(
+    const labelUList& solidKey,
+    const labelUList& fluidKey
+) const
+{
+    // The two have one reference, or the fluid's mesh is younger: then they meet
+    // where they are now
+    const feMesh &fluidMesh = fluid().fe(), &solidMesh = solid().fe();
+    const pairing first(pairs(solidMesh.points(), solidKey, fluidMesh.points(), fluidKey));
+    if (!first.gaps.empty())
+    {
+        const pairing now(pairs(straightSided(solid()), solidKey, straightSided(fluid()), fluidKey));
+        if (now.gaps.empty())
+        {
+            checkFree();
+            return now.keys;
+        }
+    }
+    fail(first.gaps, first.places);
     checkFree();
-    return allPairs;
+    return first.keys;
 }
 
 

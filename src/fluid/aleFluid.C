@@ -6,6 +6,8 @@
 
 #include "aleFluid.H"
 #include "addToRunTimeSelectionTable.H"
+#include "flowStabilisation.H"
+#include "readTurbulence.H"
 #include "unknownEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -16,19 +18,22 @@ namespace Foam
     addToRunTimeSelectionTable(feRegion, aleFluid, mesh);
 }
 
-const Foam::Enum<Foam::aleFluid::elementFamily>
-Foam::aleFluid::elementFamilyNames
+const Foam::Enum<Foam::flowFamily> Foam::aleFluid::familyNames
 ({
-    {elementFamily::EQUAL_ORDER, "equalOrder"},
-    {elementFamily::TAYLOR_HOOD, "taylorHood"},
+    {flowFamily::EQUAL_ORDER, "equalOrder"},
+    {flowFamily::TAYLOR_HOOD, "taylorHood"},
+    {flowFamily::Q1Q0, "Q1Q0"},
 });
 
-const Foam::Enum<Foam::aleFluid::stabilisationType>
-Foam::aleFluid::stabilisationNames
-({
-    {stabilisationType::NONE, "none"},
-    {stabilisationType::METRIC, "metric"},
-});
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+enum class densityLaw { CONSTANT, EXPONENTIAL };
+
+} // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -36,7 +41,7 @@ Foam::aleFluid::stabilisationNames
 void Foam::aleFluid::readTransport()
 {
     // Users' files say Newtonian, which is what there is
-    wordList known({"rho", "mu", "nu", "bulkModulus"});
+    wordList known({"rho", "mu", "nu", "bulkModulus", "density", "p0"});
     if (transport_.lookupOrDefault<word>("transportModel", "") == "Newtonian") known.append("transportModel");
     reportUnknownEntries(transport_, known);
 
@@ -65,41 +70,42 @@ void Foam::aleFluid::readTransport()
             << " a viscosity that is not negative" << exit(FatalIOError);
     }
 
-    IOdictionary turbulence
-    (
-        IOobject
-        (
-            "turbulenceProperties", mesh_.time().constant(), mesh_,
-            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
-        )
-    );
-    const word type(turbulence.lookupOrDefault<word>("simulationType", "laminar"));
-    if (type != "laminar")
+    const Enum<densityLaw> laws({{densityLaw::CONSTANT, "constant"}, {densityLaw::EXPONENTIAL, "exponential"}});
+    k_.denser = laws.lookupOrDefault("density", transport_, densityLaw::CONSTANT) == densityLaw::EXPONENTIAL;
+    k_.p0 = dimensionedScalar("p0", dimPressure, 0, transport_).value();
+    if (k_.denser && incompressible())
     {
-        FatalIOErrorInFunction(turbulence)
-            << "Unknown simulationType " << type << ". Valid: (laminar)"
-            << exit(FatalIOError);
+        FatalIOErrorInFunction(transport_)
+            << "Found density exponential without bulkModulus: an incompressible fluid has"
+            << " density constant" << exit(FatalIOError);
     }
 }
 
 
-void Foam::aleFluid::readStabilisation()
+void Foam::aleFluid::checkCells() const
 {
-    k_.equalOrder = family_ == elementFamily::EQUAL_ORDER;
-    const stabilisationType stabilisation = stabilisationNames.lookupOrDefault
-    (
-        "stabilisation", schemes_,
-        k_.equalOrder ? stabilisationType::METRIC : stabilisationType::NONE
-    );
-    k_.stabilised = stabilisation == stabilisationType::METRIC;
-    if (k_.equalOrder && !k_.stabilised)
+    if (!cellPressure()) return;
+    const auto others = [](const elementBlock& block)
     {
-        FatalIOErrorInFunction(schemes_)
-            << "Elements equalOrder with stabilisation none have a singular"
-            << " pressure. Choose stabilisation metric, or elements taylorHood"
-            << exit(FatalIOError);
+        return block.shape == elementShape::QUAD || block.shape == elementShape::HEX ? 0 : block.size();
+    };
+    label n = 0;
+    point where = point::max;
+    for (const elementBlock& block : fe().blocks())
+    {
+        if (!others(block)) continue;
+        n += block.size();
+        where = mesh_.cellCentres()[block.cells[0]];
     }
-    if (!k_.equalOrder) k_.pspg = 0;
+    reduce(n, sumOp<label>());
+    reduce(where, minOp<point>());
+    if (!n) return;
+    FatalIOErrorInFunction(schemes_)
+        << "Elements Q1Q0 are for quadrilaterals and hexahedra; found " << n
+        << " other cells, one at " << where << '.' << nl
+        << "One pressure to a triangle or tetrahedron (P1P0) leaves the velocity too few freedoms"
+        << " and locks. Choose equalOrder, which takes all cells, or taylorHood"
+        << exit(FatalIOError);
 }
 
 
@@ -109,24 +115,23 @@ void Foam::aleFluid::findPressureReference()
     pRefValue_ = schemes_.lookupOrDefault<scalar>("pRefValue", 0);
     if (!schemes_.found("pRefPoint")) return;
 
-    const pointField& points = fe().points();
     scalar distance;
     const auto findNearest = [&](const point& x)
     {
         distance = GREAT;
-        for (label n = 0; n < fe().nVertices(); ++n)
+        forAll(q_.v, n)
         {
-            if (mag(points[n] - x) >= distance) continue;
-            distance = mag(points[n] - x);
+            if (mag(pressurePoint(n) - x) >= distance) continue;
+            distance = mag(pressurePoint(n) - x);
             pRefNode_ = n;
         }
     };
 
-    // The vertex of the first rank that has a nearest one, and its copies
+    // The value of the first rank that has a nearest one, and its copies
     findNearest(schemes_.get<point>("pRefPoint"));
     label owner = distance > returnReduce(distance, minOp<scalar>()) ? labelMax : Pstream::myProcNo();
     reduce(owner, minOp<label>());
-    point at = owner == Pstream::myProcNo() ? points[pRefNode_] : point::max;
+    point at = owner == Pstream::myProcNo() ? pressurePoint(pRefNode_) : point::max;
     reduce(at, minOp<point>());
     findNearest(at);
     if (distance > 1e-9*mesh_.bounds().mag()) pRefNode_ = -1;
@@ -168,6 +173,18 @@ void Foam::aleFluid::initialise()
     q_ = rateField<scalar>(layout().size(PRESSURE));
     v_.v = fe().interpolate<vector>(pointU_->primitiveField());
     q_.v = scalarField(pointP_->primitiveField(), fe().vertexPoint());
+    if (cellPressure())
+    {
+        const scalarField p(q_.v);
+        q_ = rateField<scalar>(mesh_.nCells());
+        for (const elementBlock& block : fe().blocks()) for (label e = 0; e < block.size(); ++e)
+        {
+            for (label i = 0; i < block.nNodes; ++i)
+            {
+                q_.v[block.cells[e]] += p[block.element(e)[i]]/block.nNodes;
+            }
+        }
+    }
     boundary_->project(v_.v, mesh_.time().timeOutputValue());
 }
 
@@ -178,30 +195,67 @@ Foam::List<Foam::fieldLayout::field> Foam::aleFluid::fields() const
     return
     {
         {"pointU", layout::kind::VECTOR, layout::support::NODES, dimVelocity},
-        {"pointP", layout::kind::SCALAR, layout::support::VERTICES, dimPressure},
+        {cellPressure() ? "p" : "pointP", layout::kind::SCALAR, pressureOn(), dimPressure},
     };
+}
+
+
+Foam::fieldLayout::support Foam::aleFluid::pressureOn() const
+{
+    return cellPressure() ? fieldLayout::support::CELLS : fieldLayout::support::VERTICES;
+}
+
+
+Foam::point Foam::aleFluid::pressurePoint(const label value) const
+{
+    return cellPressure() ? mesh_.cellCentres()[value] : fe().points()[value];
 }
 
 
 void Foam::aleFluid::makeFields()
 {
+    checkCells();
     motion_.discretise(fe());
     boundary_.reset(new nodalBoundary(fe(), pointU_()));
     const bool first = returnReduce(v_.size() != fe().nNodes(), orOp<bool>());
     if (first) initialise();
     loads_.reset(new flowLoads(fe(), pointU_(), pointP_(), openPressure_, first));
     assembly_.reset(new flowAssembly(fe()));
+    if (k_.tracked) subscales_.setSize(assembly_->nPoints(), mesh_.nCells());
     findPressureReference();
     if (first)
     {
         if (pRefNode_ != -1) q_.v[pRefNode_] = pRefValue_;
-        boundary_->cyclic().follow(q_.v);
+        if (!cellPressure()) boundary_->cyclic().follow(q_.v);
     }
 
     stage_ = flowFields(fe().nNodes(), layout().size(PRESSURE));
     meshAcceleration_.setSize(fe().nNodes());
     continuity_.setSize(layout().size(PRESSURE));
     faceArea_ = Foam::pow(fe().meanSize(), fe().dim() - 1);
+}
+
+
+void Foam::aleFluid::makeOutput()
+{
+    const auto io = [&](const word& name)
+    {
+        return IOobject(name, mesh_.time().timeName(), mesh_, IOobject::NO_READ, IOobject::AUTO_WRITE);
+    };
+    if (k_.eddyConstant > 0)
+    {
+        nut_.reset(new volScalarField(io("nut"), mesh_, dimensionedScalar(dimViscosity, Zero)));
+    }
+    if (cellPressure())
+    {
+        smoothedP_.reset
+        (
+            new pointScalarField
+            (
+                io("pointPSmoothed"), pointP_->mesh(), dimensionedScalar(dimPressure, Zero)
+            )
+        );
+    }
 }
 
 
@@ -219,9 +273,8 @@ Foam::aleFluid::aleFluid(fvMesh& mesh, const dictionary& linearSolver)
     feRegion
     (
         mesh,
-        elementFamilyNames.get("elements", readSchemes(mesh)) == elementFamily::TAYLOR_HOOD ? 2 : 1
+        familyNames.get("elements", readSchemes(mesh)) == flowFamily::TAYLOR_HOOD ? 2 : 1
     ),
-    family_(elementFamilyNames.get("elements", schemes_)),
     transport_(dictObject("transportProperties", mesh.time().constant(), mesh)),
     pointU_(readPointField<vector>("pointU", mesh, dimVelocity)),
     pointP_(readPointField<scalar>("pointP", mesh, dimPressure)),
@@ -238,21 +291,23 @@ Foam::aleFluid::aleFluid(fvMesh& mesh, const dictionary& linearSolver)
     motion_(mesh, linearSolver),
     stage_(0, 0)
 {
-    reportUnknownEntries
-    (
-        schemes_,
-        {"elements", "stabilisation", "timeScheme", "curvedPatches", "pRefPoint", "pRefValue"}
-    );
+    wordList known({"elements", "timeScheme", "curvedPatches", "pRefPoint", "pRefValue"});
+    known.append(flowStabilisation::entries(schemes_));
+    reportUnknownEntries(schemes_, known);
+    k_.family = familyNames.get("elements", schemes_);
     k_.g = g_.value();
     readTransport();
-    readStabilisation();
+    readTurbulence(mesh, k_);
+    flowStabilisation::New(schemes_, k_.family)->set(k_);
+    makeOutput();
     nodalBoundary::check(pointP_());
     discretise();
 
     state_.add("U", fieldLayout::support::NODES, v_);
-    state_.add("p", fieldLayout::support::VERTICES, q_);
+    state_.add("p", pressureOn(), q_);
     state_.add("meshDisplacement", fieldLayout::support::NODES, motion_.displacement());
     state_.add("openPressure", fieldLayout::support::NODES, openPressure_);
+    state_.add("subscale", fieldLayout::support::CELLS, subscales_);
     state_.shift();
 }
 
@@ -262,7 +317,7 @@ Foam::aleFluid::aleFluid(fvMesh& mesh, const dictionary& linearSolver)
 void Foam::aleFluid::constrain(dofConstraints& c) const
 {
     boundary_->constrain(unknowns(), VELOCITY, c, labelHashSet(motion_.following()));
-    boundary_->cyclic().tie(unknowns(), PRESSURE, c);
+    if (!cellPressure()) boundary_->cyclic().tie(unknowns(), PRESSURE, c);
     if (pRefNode_ != -1) c.fix(unknowns().start(PRESSURE, pRefNode_));
 }
 
@@ -369,21 +424,58 @@ Foam::tmp<Foam::scalarField> Foam::aleFluid::endPressure() const
 }
 
 
-void Foam::aleFluid::derive()
+void Foam::aleFluid::advance()
 {
-    fe().toPoints<vector>(v_.v, pointU_->primitiveFieldRef());
+    if (k_.tracked) assembly_->subscales(k_, stage_, subscales_.now);
+    motion_.movePoints();
+}
 
-    // At all nodes: mid-side ones have the mean of their ends
-    scalarField p(endPressure());
+
+Foam::tmp<Foam::scalarField> Foam::aleFluid::nodalPressure() const
+{
+    tmp<scalarField> tp(endPressure());
+    if (cellPressure())
+    {
+        // Mean of the cells around a node
+        const scalarField cells(tp);
+        tp = tmp<scalarField>(new scalarField(fe().nNodes(), 0));
+        scalarField n(fe().nNodes(), 0);
+        for (const elementBlock& block : fe().blocks()) for (label e = 0; e < block.size(); ++e)
+        {
+            for (label i = 0; i < block.nNodes; ++i)
+            {
+                tp.ref()[block.element(e)[i]] += cells[block.cells[e]];
+                n[block.element(e)[i]] += 1;
+            }
+        }
+        fe().copies().sum(tp.ref());
+        fe().copies().sum(n);
+        tp.ref() /= n;
+        return tp;
+    }
+
+    // Mid-side nodes have the mean of their ends
+    scalarField& p = tp.ref();
     p.setSize(fe().nNodes(), 0);
     for (label n = fe().nVertices(); n < p.size(); ++n)
     {
         for (const label m : fe().parents()[n]) p[n] += p[m]/fe().parents()[n].size();
     }
-    fe().toPoints<scalar>(p, pointP_->primitiveFieldRef());
+    return tp;
+}
+
+
+void Foam::aleFluid::derive()
+{
+    fe().toPoints<vector>(v_.v, pointU_->primitiveFieldRef());
+    const scalarField p(nodalPressure());
+    pointScalarField& atPoints = cellPressure() ? smoothedP_() : pointP_();
+    fe().toPoints<scalar>(p, atPoints.primitiveFieldRef());
     motion_.derive();
     toCells<vector>(v_.v, U_);
     toCells<scalar>(p, p_);
+    if (cellPressure()) p_.primitiveFieldRef() = endPressure();
+    if (nut_.valid()) assembly_->eddyViscosity(k_, stage_, nut_->primitiveFieldRef());
 }
 
 

@@ -30,6 +30,7 @@ void Foam::aleFluid::stage()
     k_.dadv = k_.dqdp = ts.rateByValue();
     k_.dvmdm = ts.steady() ? 0 : ts.velocityByUnknown()/ts.displacementByUnknown();
     k_.deltaT = ts.steady() ? GREAT : ts.deltaT();
+    stage_.s = k_.tracked ? &subscales_.old : nullptr;
 }
 
 

@@ -30,12 +30,12 @@ void Foam::flowLoads::readPressures()
 }
 
 
-template<class F>
+template<class F, class Traction, class Pressure>
 void Foam::flowLoads::addOpen
 (
     const elementBlock& block,
-    const vector& traction,
-    const scalarField& pressure,
+    const Traction& traction,
+    const Pressure& pressure,
     const scalar backflow,
     const scalar rho,
     const scalar columns,
@@ -60,13 +60,17 @@ void Foam::flowLoads::addOpen
     {
         const label* nodes = block.element(e);
         vec x[F::nNodes], v[F::nNodes], c[F::nNodes];
-        double p[F::nNodes];
+        const auto at = [&](const auto& f)
+        {
+            auto s = face.N[0]*f[nodes[0]];
+            for (int i = 1; i < F::nNodes; ++i) s += face.N[i]*f[nodes[i]];
+            return s;
+        };
         for (int i = 0; i < F::nNodes; ++i)
         {
             x[i] = inPlane(stage.x[nodes[i]]);
             v[i] = inPlane(stage.v[nodes[i]]);
             c[i] = v[i] - inPlane(stage.vm[nodes[i]]);
-            p[i] = pressure[nodes[i]];
         }
         for (int q = 0; q < face.nQ; ++q)
         {
@@ -74,11 +78,9 @@ void Foam::flowLoads::addOpen
             const vec& n = face.ndA;
             const vec u = face.value(v);
             const scalar dA = ::sqrt(n & n), cn = min(face.value(c) & n, 0.0);
-            double pq = 0;
-            for (int i = 0; i < F::nNodes; ++i) pq += face.N[i]*p[i];
 
             // h = t - p n + beta rho min(c.n, 0) v
-            const vec h = dA*inPlane(traction) - pq*n + (backflow*rho*cn)*u;
+            const vec h = dA*inPlane(traction(at)) - pressure(at)*n + (backflow*rho*cn)*u;
             for (int i = 0; i < F::nNodes; ++i)
             {
                 for (int a = 0; a < dim; ++a) force[nodes[i]][fe_.axis(a)] -= face.N[i]*h[a];
@@ -168,8 +170,7 @@ void Foam::flowLoads::addSurface
 {
     const auto add = [&]
     (
-        const label patchi, const vector& traction, const scalarField& pressure,
-        const scalar backflow
+        const label patchi, const auto& traction, const auto& pressure, const scalar backflow
     )
     {
         for (const elementBlock& block : fe_.patchBlocks(patchi))
@@ -188,11 +189,26 @@ void Foam::flowLoads::addSurface
     {
         const auto* load = dynamic_cast<const surfaceLoad*>(&pointU_.boundaryField()[patchi]);
         if (!load || fe_.patchBlocks(patchi).empty()) continue;
-        add(patchi, load->traction(t), scalarField(fe_.nNodes(), load->pressure(t)), load->backflow());
+        add
+        (
+            patchi,
+            [&](const auto& at) { return load->traction(at(stage.x), t); },
+            [&](const auto& at) { return load->pressure(at(stage.x), t); },
+            load->backflow()
+        );
     }
     if (pressurePatches_.empty()) return;
     const scalarField pressure(p_.v0 + columns*(p_.v - p_.v0));
-    for (const label patchi : pressurePatches_) add(patchi, Zero, pressure, 0.5);
+    for (const label patchi : pressurePatches_)
+    {
+        add
+        (
+            patchi,
+            [](const auto&) { return vector::zero; },
+            [&](const auto& at) { return at(pressure); },
+            0.5
+        );
+    }
 }
 
 

@@ -22,7 +22,11 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fixedComponentsCondition::fixedComponentsCondition(const dictionary& dict)
+Foam::fixedComponentsCondition::fixedComponentsCondition
+(
+    const dictionary& dict,
+    const Time& runTime
+)
 {
     for (const entry& e : dict.subDict("components"))
     {
@@ -39,10 +43,11 @@ Foam::fixedComponentsCondition::fixedComponentsCondition(const dictionary& dict)
                 << "Found direction " << n << ", expected a vector that is not nil"
                 << exit(FatalIOError);
         }
-        reportUnknownEntries(e.dict(), {"direction", "value"});
+        reportUnknownEntries(e.dict(), {"direction", "value", "code"});
         names_.append(e.keyword());
         directions_.append(n/mag(n));
         values_.append(new optionalFunction1<scalar>("value", e.dict(), 0));
+        codes_.append(profileCode(e.dict(), runTime));
     }
     if (directions_.empty())
     {
@@ -56,7 +61,8 @@ Foam::fixedComponentsCondition::fixedComponentsCondition(const dictionary& dict)
 Foam::fixedComponentsCondition::fixedComponentsCondition(const fixedComponentsCondition& c)
 :
     names_(c.names_),
-    directions_(c.directions_)
+    directions_(c.directions_),
+    codes_(c.codes_)
 {
     for (const optionalFunction1<scalar>& f : c.values_) values_.append(new optionalFunction1<scalar>(f));
 }
@@ -72,6 +78,7 @@ void Foam::fixedComponentsCondition::write(Ostream& os) const
         os.beginBlock(names_[k]);
         os.writeEntry("direction", directions_[k]);
         values_[k].write(os);
+        codes_[k].write(os);
         os.endBlock();
     }
     os.endBlock();

@@ -20,4 +20,22 @@ namespace Foam
 }
 
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::followerPressureLoad::followerPressureLoad(const dictionary& dict, const Time& runTime)
+:
+    pressure_(loadFunction<scalar>("pressure", dict, "pressureCode")),
+    code_(dict, runTime, "pressureCode")
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::followerPressureLoad::write(Ostream& os) const
+{
+    pressure_.write(os);
+    code_.write(os);
+}
+
+
 // ************************************************************************* //

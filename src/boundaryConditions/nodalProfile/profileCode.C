@@ -46,7 +46,7 @@ void Foam::profileCode::compile
     if (Foam::system(command))
     {
         FatalIOErrorInFunction(dict)
-            << "Entry code does not compile, see the compiler's message"
+            << "Entry " << keyword_ << " does not compile, see the compiler's message"
             << " above; the file is " << source << nl
             << "Expected the body of a function of x[0..2] (m) and t (s)"
             << " that sets u[0..2]" << exit(FatalIOError);
@@ -57,13 +57,20 @@ void Foam::profileCode::compile
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::profileCode::profileCode(const dictionary& dict, const Time& runTime)
+Foam::profileCode::profileCode
+(
+    const dictionary& dict,
+    const Time& runTime,
+    const word& keyword
+)
+:
+    keyword_(keyword)
 {
-    if (!dict.readIfPresent("code", code_)) return;
+    if (!dict.readIfPresent(keyword_, code_)) return;
     if (!dynamicCode::allowSystemOperations)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry code would be compiled, but allowSystemOperations is 0 in"
+            << "Entry " << keyword_ << " would be compiled, but allowSystemOperations is 0 in"
             << " the InfoSwitches of controlDict" << exit(FatalIOError);
     }
 
@@ -89,7 +96,7 @@ Foam::profileCode::profileCode(const dictionary& dict, const Time& runTime)
 void Foam::profileCode::write(Ostream& os) const
 {
     if (empty()) return;
-    os.writeKeyword("code") << token::HASH << token::BEGIN_BLOCK;
+    os.writeKeyword(keyword_) << token::HASH << token::BEGIN_BLOCK;
     os.writeQuoted(code_, false)
         << token::HASH << token::END_BLOCK << token::END_STATEMENT << nl;
 }

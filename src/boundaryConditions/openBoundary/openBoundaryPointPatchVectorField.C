@@ -30,10 +30,12 @@ Foam::openBoundaryLoad::openBoundaryLoad()
 {}
 
 
-Foam::openBoundaryLoad::openBoundaryLoad(const dictionary& dict)
+Foam::openBoundaryLoad::openBoundaryLoad(const dictionary& dict, const Time& runTime)
 :
     pressure_("pressure", dict, 0),
     traction_("traction", dict, Zero),
+    pressureCode_(dict, runTime, "pressureCode"),
+    tractionCode_(dict, runTime, "tractionCode"),
     backflow_(dict.lookupOrDefault<scalar>("backflowStabilisation", 0.5))
 {
     if (backflow_ < 0)
@@ -50,7 +52,7 @@ Foam::openBoundaryLoad::openBoundaryLoad(const dictionary& dict)
 
 Foam::wordList Foam::openBoundaryLoad::entries()
 {
-    return patchFieldEntries({"pressure", "traction"}, {"backflowStabilisation"});
+    return patchFieldEntries({"pressure", "traction"}, {"pressureCode", "tractionCode", "backflowStabilisation"});
 }
 
 
@@ -58,6 +60,8 @@ void Foam::openBoundaryLoad::write(Ostream& os) const
 {
     pressure_.write(os);
     traction_.write(os);
+    pressureCode_.write(os);
+    tractionCode_.write(os);
     os.writeEntry("backflowStabilisation", backflow_);
 }
 

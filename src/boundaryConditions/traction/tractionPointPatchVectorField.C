@@ -20,4 +20,22 @@ namespace Foam
 }
 
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::tractionLoad::tractionLoad(const dictionary& dict, const Time& runTime)
+:
+    traction_(loadFunction<vector>("traction", dict, "tractionCode")),
+    code_(dict, runTime, "tractionCode")
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::tractionLoad::write(Ostream& os) const
+{
+    traction_.write(os);
+    code_.write(os);
+}
+
+
 // ************************************************************************* //

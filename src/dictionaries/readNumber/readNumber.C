@@ -17,6 +17,19 @@ static bool endsWithNumber(const entry& e)
     return e.isStream() && !e.stream().empty() && e.stream().last().isNumber();
 }
 
+
+static scalar readAny(const dictionary& dict, const word& keyword, const dimensionSet& dimensions)
+{
+    const entry& e = dict.lookupEntry(keyword, keyType::REGEX);
+    if (!endsWithNumber(e))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry " << keyword << " is no number, expected one after its"
+            << " dimensions " << dimensions << ", or alone" << exit(FatalIOError);
+    }
+    return dimensionedScalar(keyword, dimensions, dict).value();
+}
+
 } // End namespace Foam
 
 
@@ -31,21 +44,30 @@ Foam::scalar Foam::readNumber
     const scalar high
 )
 {
-    const entry& e = dict.lookupEntry(keyword, keyType::REGEX);
-    if (!endsWithNumber(e))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry " << keyword << " is no number, expected one after its"
-            << " dimensions " << dimensions << ", or alone" << exit(FatalIOError);
-    }
-
-    const scalar value = dimensionedScalar(keyword, dimensions, dict).value();
+    const scalar value = readAny(dict, keyword, dimensions);
     if (!(value > low && value < high))
     {
         FatalIOErrorInFunction(dict)
             << keyword << " is " << value << ", expected a number > " << low;
         if (high < GREAT) FatalIOError << " and < " << high;
         FatalIOError << exit(FatalIOError);
+    }
+    return value;
+}
+
+
+Foam::scalar Foam::readNotNegative
+(
+    const dictionary& dict,
+    const word& keyword,
+    const dimensionSet& dimensions
+)
+{
+    const scalar value = readAny(dict, keyword, dimensions);
+    if (!(value >= 0 && value < GREAT))
+    {
+        FatalIOErrorInFunction(dict)
+            << keyword << " is " << value << ", expected a number >= 0" << exit(FatalIOError);
     }
     return value;
 }

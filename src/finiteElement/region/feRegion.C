@@ -124,7 +124,13 @@ Foam::autoPtr<Foam::feRegion> Foam::feRegion::New
 
 void Foam::feRegion::discretise(const stateMap* map)
 {
-    if (map) state_.map(*map);
+    if (map)
+    {
+        // What is on a moving mesh has its present one as reference
+        state_.map(*map);
+        points0_ = map->points0;
+        if (!leads()) for (vectorField* D : {&motion().D, &motion().D0}) *D = Zero;
+    }
     scatter_.clear();
     unknowns_.clear();
 

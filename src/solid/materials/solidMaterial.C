@@ -20,7 +20,7 @@ namespace Foam
 
 Foam::solidMaterial::solidMaterial(const dictionary& dict)
 :
-    rho_(readNumber(dict, "rho", dimDensity, 0, GREAT))
+    rho_(readNotNegative(dict, "rho", dimDensity))
 {}
 
 

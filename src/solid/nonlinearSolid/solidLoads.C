@@ -29,6 +29,14 @@ static void gatherElement
     }
 }
 
+//- Reference position of a quadrature point
+static point position(const feMesh& fe, const elementBlock& block, const label e, const double* N)
+{
+    point X = Zero;
+    for (label i = 0; i < block.nNodes; ++i) X += N[i]*fe.points()[block.element(e)[i]];
+    return X;
+}
+
 } // End namespace Foam
 
 
@@ -38,7 +46,8 @@ template<class F>
 void Foam::solidLoads::addTraction
 (
     const elementBlock& block,
-    const vector& traction,
+    const surfaceLoad& load,
+    const scalar t,
     vectorField& force
 ) const
 {
@@ -52,11 +61,9 @@ void Foam::solidLoads::addTraction
         for (int q = 0; q < face.nQ; ++q)
         {
             face.reinit(X, q);
-            const scalar dA = ::sqrt(face.ndA & face.ndA);
-            for (int i = 0; i < F::nNodes; ++i)
-            {
-                force[block.element(e)[i]] -= face.N[i]*traction*dA;
-            }
+            const vector hdA =
+                load.traction(position(fe_, block, e, face.N), t)*::sqrt(face.ndA & face.ndA);
+            for (int i = 0; i < F::nNodes; ++i) force[block.element(e)[i]] -= face.N[i]*hdA;
         }
     }
 }
@@ -67,7 +74,8 @@ void Foam::solidLoads::addPressure
 (
     const elementBlock& block,
     const solidStage& stage,
-    const scalar pressure,
+    const surfaceLoad& load,
+    const scalar t,
     vectorField& force,
     feMatrix* K
 ) const
@@ -86,6 +94,8 @@ void Foam::solidLoads::addPressure
         for (int q = 0; q < face.nQ; ++q)
         {
             face.reinit(x, q);
+            const scalar pressure = load.pressure(position(fe_, block, e, face.N), t);
+            if (pressure == 0) continue;
             for (int i = 0; i < nN; ++i) for (int a = 0; a < dim; ++a)
             {
                 force[n[i]][fe_.axis(a)] += face.N[i]*pressure*face.ndA[a];
@@ -122,16 +132,14 @@ void Foam::solidLoads::addSurface
         const auto* load = dynamic_cast<const surfaceLoad*>(&pointD.boundaryField()[patchi]);
         if (!load) continue;
 
-        const vector traction = load->traction(t);
-        const scalar pressure = load->pressure(t);
         for (const elementBlock& block : fe_.patchBlocks(patchi))
         {
             withFaceElement(block, [&](auto tag)
             {
                 typedef decltype(tag) F;
                 if (F::dim + 1 != fe_.dim()) return;
-                if (traction != vector::zero) addTraction<F>(block, traction, force);
-                if (pressure != 0) addPressure<F>(block, stage, pressure, force, K);
+                addTraction<F>(block, *load, t, force);
+                addPressure<F>(block, stage, *load, t, force, K);
             });
         }
     }
@@ -161,10 +169,7 @@ void Foam::solidLoads::addVolume
                 for (int q = 0; q < w.nQ; ++q)
                 {
                     w.reinit(X, q);
-                    point Xq = Zero;
-                    for (int i = 0; i < E::nNodes; ++i) Xq += w.N[i]*fe_.points()[n[i]];
-
-                    const vector fV = f(Xq, t)*w.dV;
+                    const vector fV = f(position(fe_, block, e, w.N), t)*w.dV;
                     for (int i = 0; i < E::nNodes; ++i) force[n[i]] -= w.N[i]*fV;
                 }
             }

@@ -26,6 +26,7 @@ Usage
 
 #include "flowMesh.H"
 #include "countedFlops.H"
+#include "flowConstants.H"
 #include "fileOperation.H"
 #include <chrono>
 #include <cstdio>
@@ -116,12 +117,17 @@ double scatterTime(flowMesh& m, feMatrix& K)
 }
 
 
-template<class V, class P, bool stabilised>
+template<class V, class P, bool stabilised, bool general = false>
 void bench(const word& cell, const FixedList<label, 3>& n, const double target)
 {
     const bool plane = V::dim == 2;
     flowMesh m(cell, n, V::order, plane);
     m.k.stabilised = stabilised;
+    if (general)
+    {
+        m.k.eddy = eddyModel::SMAGORINSKY;
+        m.k.eddyConstant = 0.1;
+    }
     m.randomise(0);
     feMatrix K(m.rows, m.rows, nullptr, m.scatter), S(m.rows, m.columns, nullptr, m.shapeScatter);
     flowMatrices toK;
@@ -131,7 +137,7 @@ void bench(const word& cell, const FixedList<label, 3>& n, const double target)
     toBoth.S = &S;
     toBoth.shapeScatter = &m.shapeScatter;
 
-    const kernelFlops flops = kernelFlops::of<V, P, stabilised>();
+    const kernelFlops flops = kernelFlops::of<V, P, stabilised, general>();
     const double work[] =
         {flops.residual, flops.residual + flops.tangent, flops.residual + flops.tangent + flops.shape};
     flowMatrices* const to[] = {nullptr, &toK, &toBoth};
@@ -144,7 +150,7 @@ void bench(const word& cell, const FixedList<label, 3>& n, const double target)
         for (int i = 0; i < 3; ++i) rate[threads - 1][i] = nElements/best([&]() { m.assemble(to[i]); });
         if (threads == 1) scatter = scatterTime(m, K)*rate[0][1]/nElements;
     }
-    std::printf("| %s/%s%s | %d |", V::name, P::name, stabilised ? "" : " none", nElements);
+    std::printf("| %s/%s%s | %d |", V::name, P::name, general ? " LES" : stabilised ? "" : " none", nElements);
     for (int i = 0; i < 3; ++i)
     {
         std::printf(" %.0f | %.1f |", 1e-3*rate[0][i], rate[0][i]*work[i]*1e-9);
@@ -178,6 +184,9 @@ int main(int argc, char* argv[])
     bench<Quad2, Quad1, false>("hex", {141, 141, 1}, 5e4);
     bench<Tet1, Tet1, true>("tet", {12, 12, 12}, 6e5);
     bench<Hex1, Hex1, true>("hex", {22, 22, 22}, 1e5);
+    bench<Quad1, Quad1, true, true>("hex", {141, 141, 1}, 0);
+    bench<Tet1, Tet1, true, true>("tet", {12, 12, 12}, 0);
+    bench<Hex1, Hex1, true, true>("hex", {22, 22, 22}, 0);
     bench<Tet2, Tet1, false>("tet", {12, 12, 12}, 0);
     bench<Hex2, Hex1, false>("hex", {22, 22, 22}, 0);
     return 0;

@@ -19,8 +19,11 @@ Description
 #include "Time.H"
 #include "runOnRanks.H"
 #include "coupledSystem.H"
+#include "meshExchange.H"
 #include "Random.H"
 #include "OSspecific.H"
+#include "ListOps.H"
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 
@@ -75,13 +78,23 @@ protected:
         if (Pstream::master())
         {
             dir_ = ::mkdtemp(&name[0]);
-            std::string make = getEnv("MONOLITHICFOAM_DIR") + "/tests/resources/fsiPatch " + dir_
-                + " ranks=" + std::to_string(Pstream::nProcs());
-            for (const char* option : GetParam().options) make += std::string(" '") + option + "'";
-            if (std::system(make.c_str())) FatalErrorInFunction << make.c_str() << exit(FatalError);
+            make({});
         }
         Pstream::scatter(dir_);
         start();
+    }
+
+    //- The case, of the variant and further options
+    void make(const std::vector<const char*>& further)
+    {
+        system.clear();
+        std::string make = getEnv("MONOLITHICFOAM_DIR") + "/tests/resources/fsiPatch " + dir_
+            + " ranks=" + std::to_string(Pstream::nProcs());
+        for (const auto& options : {GetParam().options, further}) for (const char* option : options)
+        {
+            make += std::string(" '") + option + "'";
+        }
+        if (std::system(make.c_str())) FatalErrorInFunction << make.c_str() << exit(FatalError);
     }
 
     //- The case from its beginning
@@ -167,6 +180,109 @@ protected:
         time->setDeltaT(deltaT, false);
         ++time();
         EXPECT_TRUE(system->step());
+    }
+
+    //- The mesh of a region in other numbers of points and cells
+    meshExchange renumbered(const fvMesh& mesh, const bool shuffle)
+    {
+        meshExchange e;
+        e.pointMap = identity(mesh.nPoints());
+        e.cellMap = identity(mesh.nCells());
+        e.faceMap = identity(mesh.nFaces());
+        if (shuffle)
+        {
+            random_.shuffle(e.pointMap);
+            random_.shuffle(e.cellMap);
+        }
+        const labelList newPoint(invert(mesh.nPoints(), e.pointMap));
+        const labelList newCell(invert(mesh.nCells(), e.cellMap));
+
+        // Internal faces in the order of their cells, which they point away from
+        const auto cells = [&](const label f)
+        {
+            const label a = newCell[mesh.faceOwner()[f]], b = newCell[mesh.faceNeighbour()[f]];
+            return labelPair(min(a, b), max(a, b));
+        };
+        std::sort
+        (
+            e.faceMap.begin(), e.faceMap.begin() + mesh.nInternalFaces(),
+            [&](const label f, const label g) { return cells(f) < cells(g); }
+        );
+        e.points = pointField(mesh.points(), e.pointMap);
+        for (const label f : e.faceMap)
+        {
+            face now(renumber(newPoint, mesh.faces()[f]));
+            const bool internal = mesh.isInternalFace(f);
+            if (internal && cells(f).first() != newCell[mesh.faceOwner()[f]]) now.flip();
+            e.faces.append(now);
+            e.owner.append(internal ? cells(f).first() : newCell[mesh.faceOwner()[f]]);
+            if (internal) e.neighbour.append(cells(f).second());
+        }
+        for (const polyPatch& p : mesh.boundaryMesh())
+        {
+            e.patchSizes.append(p.size());
+            e.patchStarts.append(p.start());
+        }
+        return e;
+    }
+
+    static labelList nearest(const pointField& to, const pointField& from)
+    {
+        labelList map(to.size());
+        forAll(to, i)
+        {
+            map[i] = 0;
+            forAll(from, k) if (magSqr(from[k] - to[i]) < magSqr(from[map[i]] - to[i])) map[i] = k;
+        }
+        return map;
+    }
+
+    static pointField faceCentres(const pointField& points, const faceList& faces)
+    {
+        pointField c(faces.size());
+        forAll(c, f) c[f] = faces[f].centre(points);
+        return c;
+    }
+
+    //- New meshes for all regions between two steps; the state of the nearest nodes
+    template<class Make>
+    void exchangeMeshes(PtrList<stateMap>& maps, const Make& make)
+    {
+        maps.clear();
+        const auto at = [](const feRegion& region)
+        {
+            return pointField(region.fe().points() + (region.leads() ? 0 : 1)*region.motion().D);
+        };
+        List<const stateMap*> given;
+        for (feRegion& region : system->regions())
+        {
+            region.advance();
+            const pointField nodes(at(region));
+            const pointField vertices(SubField<point>(nodes, region.fe().nVertices()));
+            const pointField cells(region.mesh().cellCentres());
+            meshExchange e(make(region.mesh()));
+            e.apply(region.mesh());
+
+            // Of a solid, the mesh is the reference; there are no other nodes
+            // than those of the new elements
+            maps.append(new stateMap);
+            stateMap& m = maps.last();
+            m.points0 = region.mesh().points();
+            const feMesh fe(region.mesh(), region.fe().order(), dictionary(), m.points0);
+            const auto set = [](valueMap& map, const labelList& from)
+            {
+                for (const label k : from)
+                {
+                    map.from.append(labelList(1, k));
+                    map.weight.append(scalarList(1, 1.0));
+                }
+            };
+            set(m.nodes, nearest(fe.points(), nodes));
+            set(m.vertices, nearest(SubField<point>(fe.points(), fe.nVertices()), vertices));
+            set(m.cells, nearest(region.mesh().cellCentres(), cells));
+            given.append(&m);
+        }
+        system->discretise(given);
     }
 
     //- All numbers of the state of all regions
@@ -362,6 +478,93 @@ TEST_P(systemTangent, isDiscretisedAnew)
     EXPECT_TRUE(state() == before);
     step();
     expectState(straight, straightLists, 1e-12);
+}
+
+
+//- Other numbers of points and cells, on any number of ranks
+TEST_P(systemTangent, isDiscretisedOnARenumberedMesh)
+{
+    const auto afterExchange = [&](const bool renumber, PtrList<stateMap>& maps)
+    {
+        start();
+        step();
+        exchangeMeshes(maps, [&](const fvMesh& mesh) { return renumbered(mesh, renumber); });
+        step();
+        step();
+        return lists();
+    };
+    PtrList<stateMap> same, maps;
+    const auto straight = afterExchange(false, same);
+    const auto renumbered = afterExchange(true, maps);
+
+    EXPECT_EQ(straight.size(), renumbered.size());
+    forAll(system->regions(), r)
+    {
+        feRegion& region = system->regions()[r];
+        for (const statePart& part : region.state().parts())
+        {
+            const valueMap& map = maps[r].at(part.on());
+            const auto scalars(part.scalars());
+            const auto vectors(part.vectors());
+            const label n = map.from.size();
+            const auto expect = [&](const word& name, const label nCmpts)
+            {
+                const scalarField& a = straight.at(region.name() + '.' + name);
+                const scalarField& b = renumbered.at(region.name() + '.' + name);
+                ASSERT_EQ(a.size(), b.size());
+                if (b.size() != nCmpts*n) return;   // of no use in this case
+                scalar worst = 0;
+                for (label c = 0; c < nCmpts; ++c) for (label i = 0; i < n; ++i)
+                {
+                    worst = max(worst, mag(b[c*n + i] - a[c*n + map.from[i][0]]));
+                }
+                EXPECT_LE(returnReduce(worst, maxOp<scalar>()), 1e-9*gMax(mag(a)()) + 1e-15) << name;
+            };
+            forAllConstIters(scalars, iter) expect(iter.key(), 1);
+            forAllConstIters(vectors, iter) expect(iter.key(), 3);
+        }
+    }
+}
+
+
+//- With more cells: as if the case had had them from the beginning
+TEST_P(systemTangent, isDiscretisedOnAFinerMesh)
+{
+    if (Pstream::parRun()) return;
+    make({"nx=3", "ny=5"});
+    start();
+    const label nUnknowns = system->unknowns().nFree();
+    PtrList<meshExchange> finer;
+    for (const feRegion& region : system->regions())
+    {
+        finer.append(new meshExchange(renumbered(region.mesh(), false)));
+    }
+    step();
+    step();
+    const auto straight = lists();
+
+    make({});
+    start();
+    EXPECT_LT(system->unknowns().nFree(), nUnknowns);
+    PtrList<stateMap> maps;
+    label r = 0;
+    exchangeMeshes(maps, [&](const fvMesh& mesh)
+    {
+        meshExchange& e = finer[r++];
+        e.pointMap = nearest(e.points, mesh.points());
+        e.faceMap = nearest(faceCentres(e.points, e.faces), mesh.faceCentres());
+        e.cellMap = labelList(max(e.owner) + 1, 0);
+        return e;
+    });
+    EXPECT_EQ(system->unknowns().nFree(), nUnknowns);
+    step();
+    step();
+    const auto now = lists();
+    for (const auto& list : straight)
+    {
+        ASSERT_EQ(list.second.size(), now.at(list.first).size());
+        EXPECT_LE(gMax(mag(list.second - now.at(list.first))()), 1e-9*gMax(mag(list.second)())) << list.first;
+    }
 }
 
 

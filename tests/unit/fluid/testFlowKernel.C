@@ -118,6 +118,10 @@ TYPED_TEST(flowElementTest, aPackIsSeveralDoubles)
             many->a[i][a][l] = one[l].a[i][a];
             many->vm[i][a][l] = one[l].vm[i][a];
         }
+        for (int q = 0; q < feValues<double, V>::nQ; ++q) for (int a = 0; a < E::dim; ++a)
+        {
+            many->s[q][a][l] = one[l].s[q][a];
+        }
         for (int i = 0; i < P::nNodes; ++i)
         {
             many->p[i][l] = one[l].p[i];
@@ -125,7 +129,7 @@ TYPED_TEST(flowElementTest, aPackIsSeveralDoubles)
         }
     }
 
-    const auto kernel = std::make_unique<flowKernel<pack, V, P, E::stabilised>>();
+    const auto kernel = std::make_unique<flowKernel<pack, V, P, E::stabilised, E::general>>();
     const auto R = std::make_unique<flowResidual<pack, V, P>>();
     const auto K = std::make_unique<flowTangent<pack, V, P>>();
     const auto K1 = std::make_unique<typename E::tangent>();

@@ -189,7 +189,7 @@ TEST(material, complainsAboutItsDictionary)
     expectComplaint("type rubber; rho 1; E 1; nu 0;", "StVenantKirchhoff");
     expectComplaint("rho 1; E 1; nu 0;", "type");
     expectComplaint("type neoHookean; E 1; nu 0;", "rho");
-    expectComplaint("type neoHookean; rho 0; E 1; nu 0;", "rho is 0");
+    expectComplaint("type neoHookean; rho -1; E 1; nu 0;", "rho is -1");
     expectComplaint("type neoHookean; rho 1; nu 0.3;", "E");
     expectComplaint("type neoHookean; rho 1; E 1;", "nu");
     expectComplaint("type neoHookean; rho 1; E -1; nu 0.3;", "E is -1");

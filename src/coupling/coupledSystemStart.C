@@ -1,0 +1,162 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    Rates at the start of a run that the equations have there:
+
+        feSolution      initialRates consistent;     // or nil, the default
+
+    The accelerations of fluid and solid and the pressure are those of one very
+    short step of Euler's from the given velocities and displacements, under
+    the loads of the start. Where a start is impulsive (a wall that moves at
+    once in a fluid at rest) there are no such rates; a step of a quarter of
+    the length tells.
+\*---------------------------------------------------------------------------*/
+
+#include "coupledSystem.H"
+#include "IStringStream.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Of the fields, the rates and the multipliers: the mesh's motion follows
+static bool isRate(const word& name)
+{
+    if (name.startsWith("meshDisplacement")) return false;
+    return name.endsWith("Rate") || name.endsWith("Acceleration") || name == "p";
+}
+
+
+template<class Type>
+static void keepRates
+(
+    const HashTable<Field<Type>*>& from,
+    HashTable<Field<Type>>& to
+)
+{
+    forAllConstIters(from, iter) if (isRate(iter.key())) to.insert(iter.key(), *iter.val());
+}
+
+
+template<class Type>
+static void putRates
+(
+    const HashTable<Field<Type>>& from,
+    const HashTable<Field<Type>*>& to
+)
+{
+    forAllConstIters(to, iter) if (from.found(iter.key())) *iter.val() = from[iter.key()];
+}
+
+
+template<class Type>
+static bool agree(const Field<Type>& a, const Field<Type>& b)
+{
+    return gSum(magSqr(Field<Type>(a - b))()) <= sqr(0.05)*gSum(magSqr(a)()) + VSMALL;
+}
+
+
+//- Name of a list that two steps do not agree upon. The slope of a pressure
+//  may go, as it does where there is no consistent pressure at the start
+template<class Type>
+static word differing
+(
+    const HashTable<Field<Type>>& a,
+    HashTable<Field<Type>>& b
+)
+{
+    for (const word& name : a.sortedToc())
+    {
+        if (agree(a[name], b[name])) continue;
+        if (name != "pRate") return name;
+        b.erase(name);
+    }
+    return "";
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::coupledSystem::solveRates(const scalar deltaT, startRates& rates)
+{
+    const moment start(now());
+    const dictionary Euler(IStringStream("type Euler;")());
+    PtrList<autoPtr<feTimeScheme>> schemes;
+    for (feRegion& region : regions_)
+    {
+        region.state().shift();
+        schemes.append(new autoPtr<feTimeScheme>(feTimeScheme::New(Euler)));
+        region.exchange(schemes.last());
+    }
+
+    // Values that are given go on from those of the start
+    runTime_.setDeltaT(deltaT, false);
+    runTime_.setTime(start.time + deltaT, start.index);
+    const bool ok = step();
+
+    rates.scalars.setSize(regions_.size());
+    rates.vectors.setSize(regions_.size());
+    forAll(regions_, r)
+    {
+        regions_[r].exchange(schemes[r]);
+        for (const statePart& part : regions_[r].state().parts())
+        {
+            keepRates(part.scalars(), rates.scalars[r]);
+            keepRates(part.vectors(), rates.vectors[r]);
+        }
+    }
+    set(start);
+    return ok;
+}
+
+
+void Foam::coupledSystem::startConsistently()
+{
+    if (regions_[0].timeScheme().steady()) return;
+    Info<< "Rates at the start" << nl;
+
+    const scalar deltaT = 1e-4*runTime_.deltaTValue();
+    startRates rates, check;
+    bool ok = solveRates(deltaT, rates) && solveRates(deltaT/4, check);
+    word what;
+    forAll(regions_, r)
+    {
+        if (!ok || !what.empty()) break;
+        what = differing(rates.scalars[r], check.scalars[r]);
+        if (what.empty()) what = differing(rates.vectors[r], check.vectors[r]);
+        if (!what.empty()) what = regions_[r].name() + '.' + what;
+    }
+
+    // Nothing that was made for these steps serves the others
+    tangent_->drop();
+    factorsAt_.reset();
+    times_ = systemTimes();
+    if (!ok || !what.empty())
+    {
+        WarningInFunction
+            << "initialRates consistent: "
+            << (ok ? "the start is impulsive, " + what + " grows as the step becomes shorter."
+                   : string("a very short step did not converge."))
+            << " The run starts without rates" << endl;
+        return;
+    }
+    forAll(regions_, r)
+    {
+        for (const statePart& part : regions_[r].state().parts())
+        {
+            putRates(check.scalars[r], part.scalars());
+            putRates(check.vectors[r], part.vectors());
+        }
+    }
+    followAtStart();
+    for (feRegion& region : regions_) region.state().shift();
+}
+
+
+// ************************************************************************* //

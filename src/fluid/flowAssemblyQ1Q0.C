@@ -1,0 +1,13 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "flowAssemblyBlock.H"
+
+compileFlow(Q1Q0, true, false);
+compileFlow(Q1Q0, true, true);
+compileSubscales(Q1Q0);
+
+// ************************************************************************* //
