@@ -31,9 +31,19 @@ void Foam::restartFields::write
 (
     const word& part,
     const Field<Type>& values,
-    const bool mid
+    const place at
 ) const
 {
+    if (at == place::CELLS)
+    {
+        GeometricField<Type, fvPatchField, volMesh> atCells
+        (
+            io(part, IOobject::NO_READ), region_.mesh(), dimensioned<Type>(dimless, Zero)
+        );
+        atCells.primitiveFieldRef() = values;
+        atCells.write();
+        return;
+    }
     typedef GeometricField<Type, pointPatchField, pointMesh> pointFieldType;
     const feMesh& fe = region_.fe();
 
@@ -43,7 +53,7 @@ void Foam::restartFields::write
     );
     fe.toPoints<Type>(values, atPoints.primitiveFieldRef());
     atPoints.write();
-    if (!mid) return;
+    if (at != place::NODES) return;
 
     const label n = perTensor<Type>(), nCmpts = pTraits<Type>::nComponents;
     for (label k = 0; k < nTensors<Type>(); ++k)
@@ -69,15 +79,23 @@ void Foam::restartFields::read
 (
     const word& part,
     Field<Type>& values,
-    const bool mid
+    const place at
 ) const
 {
+    if (at == place::CELLS)
+    {
+        values = GeometricField<Type, fvPatchField, volMesh>
+        (
+            io(part, IOobject::MUST_READ), region_.mesh()
+        ).primitiveField();
+        return;
+    }
     typedef GeometricField<Type, pointPatchField, pointMesh> pointFieldType;
     const feMesh& fe = region_.fe();
 
     const pointFieldType atPoints(io(part, IOobject::MUST_READ), pointMesh::New(region_.mesh()));
     for (label n = 0; n < fe.nVertices(); ++n) values[n] = atPoints[fe.vertexPoint()[n]];
-    if (!mid) return;
+    if (at != place::NODES) return;
 
     const label n = perTensor<Type>(), nCmpts = pTraits<Type>::nComponents;
     for (label k = 0; k < nTensors<Type>(); ++k)
@@ -101,15 +119,18 @@ void Foam::restartFields::forLists(const F& f) const
     {
         const HashTable<vectorField*> vectors(part.vectors());
         const HashTable<scalarField*> scalars(part.scalars());
-        const bool mid = part.on() == fieldLayout::support::NODES && region_.fe().order() == 2;
+        typedef fieldLayout::support on;
+        const place at =
+            part.on() == on::CELLS ? place::CELLS
+          : part.on() == on::NODES && region_.fe().order() == 2 ? place::NODES : place::VERTICES;
         const auto any = [](const label n) { return returnReduce(n, sumOp<label>()) > 0; };
         for (const word& name : vectors.sortedToc())
         {
-            if (any(vectors[name]->size())) f(name, *vectors[name], mid);
+            if (any(vectors[name]->size())) f(name, *vectors[name], at);
         }
         for (const word& name : scalars.sortedToc())
         {
-            if (any(scalars[name]->size())) f(name, *scalars[name], mid);
+            if (any(scalars[name]->size())) f(name, *scalars[name], at);
         }
     }
 }
@@ -147,7 +168,7 @@ Foam::restartFields::restartFields(feRegion& region)
 void Foam::restartFields::write() const
 {
     const unsigned digits = IOstream::defaultPrecision(17);
-    forLists([&](const word& name, const auto& list, const bool mid) { write(name, list, mid); });
+    forLists([&](const word& name, const auto& list, const place at) { write(name, list, at); });
     IOstream::defaultPrecision(digits);
 }
 
@@ -155,11 +176,11 @@ void Foam::restartFields::write() const
 bool Foam::restartFields::found() const
 {
     bool all = true;
-    forLists([&](const word& name, const auto& list, const bool mid)
+    forLists([&](const word& name, const auto& list, const place at)
     {
         typedef typename std::decay<decltype(list[0])>::type Type;
         all = all && isFile(io(name, IOobject::MUST_READ).objectPath());
-        if (!mid) return;
+        if (at != place::NODES) return;
         for (label k = 0; k < nTensors<Type>(); ++k)
         {
             all = all && isFile(io(cellName(name, k), IOobject::MUST_READ).objectPath());
@@ -171,7 +192,7 @@ bool Foam::restartFields::found() const
 
 void Foam::restartFields::read()
 {
-    forLists([&](const word& name, auto& list, const bool mid) { read(name, list, mid); });
+    forLists([&](const word& name, auto& list, const place at) { read(name, list, at); });
 }
 
 
