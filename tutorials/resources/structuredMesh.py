@@ -54,7 +54,7 @@ def tetsFaces(v):
 def prismsFaces(v):
     """The same of the two prisms along the third direction"""
 
-    for a, b, c in (((0, 0), (1, 0), (1, 1)), ((0, 0), (1, 1), (0, 1))):
+    for a, b, c in (((0, 0), (1, 0), (0, 1)), ((1, 0), (1, 1), (0, 1))):
         low, high = [[v[p + (k,)] for p in (a, b, c)] for k in (0, 1)]
         sides = [[low[i], low[(i + 1)%3], high[(i + 1)%3], high[i]] for i in range(3)]
         yield [low[::-1], high] + sides
