@@ -17,14 +17,6 @@ namespace Foam
     addToRunTimeSelectionTable(feRegion, nonlinearSolid, mesh);
 }
 
-const Foam::Enum<Foam::nonlinearSolid::elementKind>
-Foam::nonlinearSolid::elementKindNames
-({
-    {elementKind::LINEAR, "linear"},
-    {elementKind::ENHANCED_STRAIN, "enhancedStrain"},
-    {elementKind::QUADRATIC, "quadratic"},
-});
-
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -44,15 +36,10 @@ static IOobject outputField(const word& name, const fvMesh& mesh)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::nonlinearSolid::elementKind Foam::nonlinearSolid::kind(const dictionary& schemes)
-{
-    return elementKindNames.get("elements", schemes);
-}
-
-
 void Foam::nonlinearSolid::initialise()
 {
     motion_ = motionField(fe().nNodes());
+    pressure_ = rateField<scalar>(nPressures());
     motion_.D = fe().interpolate<vector>(pointD_->primitiveField());
     boundary_->project(motion_.D, mesh_.time().timeOutputValue());
 
@@ -70,27 +57,56 @@ void Foam::nonlinearSolid::stage()
     motion_.stage(ts, stage_->D, stageVelocity_, stage_->a);
     stage_->dDdu = ts.displacementByUnknown();
     stage_->dadu = ts.accelerationByUnknown();
+    stage_->p = pressure_.v;
 }
 
 
 Foam::List<Foam::fieldLayout::field> Foam::nonlinearSolid::fields() const
 {
     typedef fieldLayout layout;
-    return {{"pointD", layout::kind::VECTOR, layout::support::NODES, dimLength}};
+    List<layout::field> all(elements_.mixed ? 2 : 1);
+    all[DISPLACEMENT] = {"pointD", layout::kind::VECTOR, layout::support::NODES, dimLength};
+    if (elements_.mixed)
+    {
+        all[PRESSURE] = {"solidPressure", layout::kind::SCALAR, elements_.pressureOn, dimPressure};
+    }
+    return all;
+}
+
+
+void Foam::nonlinearSolid::findHeldPressures()
+{
+    heldPressures_.clear();
+    if (!elements_.mixed) return;
+    scalarField nMixed(fe().nNodes(), 0);
+    const bool onCells = elements_.pressureOn == fieldLayout::support::CELLS;
+    forAll(assembly_->blocks(), b)
+    {
+        if (onCells || !assembly_->mixed(b)) continue;
+        for (const label n : assembly_->blocks()[b].nodes) nMixed[n] = 1;
+    }
+    if (Pstream::parRun()) fe().copies().sum(nMixed);
+    for (const label i : assembly_->withoutPressure().sortedToc())
+    {
+        if (onCells || nMixed[i] == 0) heldPressures_.append(i);
+    }
 }
 
 
 void Foam::nonlinearSolid::makeFields()
 {
-    assembly_.reset(new solidAssembly(fe(), mechanicalProperties_));
+    assembly_.reset(new solidAssembly(fe(), elements_, mechanicalProperties_));
     boundary_.reset(new nodalBoundary(fe(), pointD_()));
     // Together: some ranks may have no node
     if (returnReduce(motion_.size() != fe().nNodes(), orOp<bool>())) initialise();
 
-    stage_.reset(new solidStage(fe().points(), {fe().axis(0), fe().axis(1), fe().axis(2)}));
+    stage_.reset(new mixedStage(fe().points(), {fe().axis(0), fe().axis(1), fe().axis(2)}));
     stage_->g = g_.value();
-    stage_->enhanced = kind(schemes_) == elementKind::ENHANCED_STRAIN;
+    stage_->enhanced = elements_.enhanced;
+    stage_->pressureOn = elements_.pressureOn;
     stageVelocity_.setSize(fe().nNodes());
+    volume_.setSize(nPressures());
+    findHeldPressures();
     elementSize_ = fe().meanSize();
 }
 
@@ -99,7 +115,8 @@ void Foam::nonlinearSolid::makeFields()
 
 Foam::nonlinearSolid::nonlinearSolid(fvMesh& mesh, const dictionary& linearSolver)
 :
-    feRegion(mesh, kind(readSchemes(mesh)) == elementKind::QUADRATIC ? 2 : 1),
+    feRegion(mesh, solidElements::select(readSchemes(mesh)).order),
+    elements_(solidElements::select(schemes_)),
     mechanicalProperties_(dictObject("mechanicalProperties", mesh.time().constant(), mesh)),
     pointD_(readPointField<vector>("pointD", mesh, dimLength)),
     D_(outputField("D", mesh), mesh, dimensionedVector(dimLength, Zero)),
@@ -115,8 +132,20 @@ Foam::nonlinearSolid::nonlinearSolid(fvMesh& mesh, const dictionary& linearSolve
     )
 {
     reportUnknownEntries(schemes_, {"elements", "timeScheme", "curvedPatches"});
+    if (elements_.mixed)
+    {
+        solidPressure_.reset
+        (
+            new volScalarField
+            (
+                outputField("solidPressure", mesh), mesh, dimensionedScalar(dimPressure, Zero),
+                zeroGradientFvPatchField<scalar>::typeName
+            )
+        );
+    }
     discretise();
     state_.add("D", fieldLayout::support::NODES, motion_);
+    if (elements_.mixed) state_.add("solidPressure", elements_.pressureOn, pressure_);
     state_.shift();
 }
 
@@ -125,7 +154,13 @@ Foam::nonlinearSolid::nonlinearSolid(fvMesh& mesh, const dictionary& linearSolve
 
 void Foam::nonlinearSolid::constrain(dofConstraints& c) const
 {
-    boundary_->constrain(unknowns(), 0, c);
+    boundary_->constrain(unknowns(), DISPLACEMENT, c);
+    if (!elements_.mixed) return;
+    if (elements_.pressureOn == fieldLayout::support::VERTICES)
+    {
+        boundary_->cyclic().tie(unknowns(), PRESSURE, c);
+    }
+    for (const label i : heldPressures_) c.fix(unknowns().start(PRESSURE, i));
 }
 
 
@@ -133,6 +168,7 @@ void Foam::nonlinearSolid::predict(const scalar time)
 {
     const feTimeScheme& ts = timeScheme();
     motion_.predict(ts);
+    pressure_.predictStage(ts);
     boundary_->forValues(time, [&](const label n, const vector& value)
     {
         vector D = Zero;
@@ -151,31 +187,52 @@ void Foam::nonlinearSolid::assemble(scalarField& R, feMatrix* K)
 {
     stage();
     force_ = Zero;
-    minDetJ_ = assembly_->assemble(stage_(), force_, K, scatter_);
+    volume_ = 0;
+    minDetJ_ = assembly_->assemble(stage_(), force_, volume_, K, scatter_);
 
     const solidLoads loads(unknowns());
     loads.addSurface(pointD_(), stage_(), stageTime(), force_, K);
     if (source) loads.addVolume(source, stageTime(), force_);
 
-    unknowns().add(0, force_, R);
+    unknowns().add(DISPLACEMENT, force_, R);
+    if (elements_.mixed) unknowns().add(PRESSURE, volume_, R);
 }
 
 
 void Foam::nonlinearSolid::update(const scalarField& dx)
 {
     const feTimeScheme& ts = timeScheme();
-    forAll(motion_.D, n) motion_.add(ts, n, unknowns().at(0, n, dx));
+    forAll(motion_.D, n) motion_.add(ts, n, unknowns().at(DISPLACEMENT, n, dx));
+    forAll(pressure_.v, i)
+    {
+        pressure_.setStage(ts, i, pressure_.v[i] + dx[unknowns().start(PRESSURE, i)]);
+    }
 }
 
 
-Foam::scalar Foam::nonlinearSolid::unknownScale(const label) const
+Foam::scalar Foam::nonlinearSolid::residualScale(const label field) const
 {
-    return elementSize_/timeScheme().displacementByUnknown();
+    if (field == DISPLACEMENT) return 0;
+    scalar sum = 0;
+    forAll(motion_.D, n) if (unknowns().map().owned(unknowns().node(n))) sum += magSqr(motion_.D[n]);
+    return Foam::pow(elementSize_, fe().dim() - 1)*::sqrt(returnReduce(sum, sumOp<scalar>()));
 }
 
 
-Foam::string Foam::nonlinearSolid::singularAdvice(const label) const
+Foam::scalar Foam::nonlinearSolid::unknownScale(const label field) const
 {
+    return field == DISPLACEMENT ? elementSize_/timeScheme().displacementByUnknown() : 0;
+}
+
+
+Foam::string Foam::nonlinearSolid::singularAdvice(const label field) const
+{
+    if (field == PRESSURE)
+    {
+        return
+            "The pressure of an incompressible material is undetermined where its whole"
+            " boundary is held: leave a part free, or give a bulkModulus";
+    }
     return "A displacement is undetermined where nothing holds the solid";
 }
 
@@ -185,7 +242,15 @@ void Foam::nonlinearSolid::derive()
     fe().toPoints<vector>(motion_.D, pointD_->primitiveFieldRef());
     toCells<vector>(motion_.D, D_);
 
-    assembly_->stress(motion_.D, sigma_.primitiveFieldRef());
+    scalarField p(pressure_.v);
+    forAll(p, i) p[i] = pressure_.atEnd(timeScheme(), i);
+    p = scalarField(assembly_->cellPressure(p));
+    assembly_->stress(motion_.D, p, sigma_.primitiveFieldRef());
+    if (elements_.mixed)
+    {
+        solidPressure_->primitiveFieldRef() = p;
+        solidPressure_->correctBoundaryConditions();
+    }
     sigma_.correctBoundaryConditions();
     const symmTensorField s(dev(sigma_.primitiveField()));
     sigmaEq_.primitiveFieldRef() = sqrt(1.5*magSqr(s));

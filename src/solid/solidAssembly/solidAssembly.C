@@ -8,6 +8,7 @@
 #include "feValues.H"
 #include "unknownEntries.H"
 #include "symmTensorField.H"
+#include <memory>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -104,6 +105,8 @@ Foam::labelList Foam::solidAssembly::readMaterials(const dictionary& dict)
     const PtrList<entry> entries(dict.lookup("materials"));
     materials_.setSize(entries.size());
     names_.setSize(entries.size());
+    loops_.setSize(entries.size());
+    mixedLoops_.setSize(entries.size());
     labelList cellMaterial(fe_.mesh().nCells(), -1);
 
     forAll(entries, i)
@@ -111,8 +114,7 @@ Foam::labelList Foam::solidAssembly::readMaterials(const dictionary& dict)
         names_[i] = entries[i].keyword();
         dictionary material(entries[i].dict());
         setName(material, dict.name() + ".materials." + names_[i]);
-        materials_.set(i, solidMaterial::New(material));
-        loops_.append(materials_[i].elementLoop().ptr());
+        addMaterial(material, i);
         addCells(material, i, cellMaterial);
     }
 
@@ -125,6 +127,75 @@ Foam::labelList Foam::solidAssembly::readMaterials(const dictionary& dict)
             << " materials are " << names_ << exit(FatalIOError);
     }
     return cellMaterial;
+}
+
+
+void Foam::solidAssembly::addMaterial(const dictionary& dict, const label materiali)
+{
+    materials_.set(materiali, solidMaterial::New(dict));
+    solidMaterial& material = materials_[materiali];
+    material.setAxes({fe_.axis(0), fe_.axis(1), fe_.axis(2)});
+
+    const mixedMaterial* mixed = dynamic_cast<const mixedMaterial*>(&material);
+    if (mixed && elements_.mixed)
+    {
+        mixedLoops_.set(materiali, mixed->mixedLoop());
+        return;
+    }
+    if (mixed && mixed->rKappa() == 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Material '" << names_[materiali] << "' has no bulkModulus, so it is"
+            << " incompressible, which elements " << elements_.name << " cannot be." << nl
+            << "Choose elements Q1Q0, equalOrder or taylorHood in feSchemes, or give a"
+            << " bulkModulus" << exit(FatalIOError);
+    }
+    loops_.set(materiali, material.elementLoop());
+}
+
+
+void Foam::solidAssembly::checkShapes() const
+{
+    if (elements_.pressureOn != fieldLayout::support::CELLS) return;
+    forAll(blocks_, b)
+    {
+        const elementShape shape = blocks_[b].shape;
+        if (!mixed(b) || shape == elementShape::QUAD || shape == elementShape::HEX) continue;
+        FatalErrorInFunction
+            << "Cell " << blocks_[b].cells[0] << " of region " << fe_.mesh().name() << " at "
+            << fe_.mesh().cellCentres()[blocks_[b].cells[0]] << " is a " << elementName(shape)
+            << "; elements " << elements_.name << " are quadrilaterals and hexahedra." << nl
+            << "For other shapes choose equalOrder or taylorHood" << exit(FatalError);
+    }
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::solidAssembly::vertexPressure
+(
+    const scalarField& p,
+    const label materiali
+) const
+{
+    tmp<scalarField> tmean(new scalarField(fe_.nNodes(), Zero));
+    scalarField &sum = tmean.ref(), volume(sum);
+    forAll(blocks_, b)
+    {
+        const elementBlock& block = blocks_[b];
+        if (material_[b] != materiali) continue;
+        for (label e = 0; e < block.size(); ++e) for (label i = 0; i < block.nVertices(); ++i)
+        {
+            const scalar V = fe_.mesh().cellVolumes()[block.cells[e]];
+            sum[block.element(e)[i]] += V*p[block.cells[e]];
+            volume[block.element(e)[i]] += V;
+        }
+    }
+    if (Pstream::parRun())
+    {
+        fe_.copies().sum(sum);
+        fe_.copies().sum(volume);
+    }
+    sum /= max(volume, VSMALL);
+    return tmean;
 }
 
 
@@ -167,21 +238,66 @@ void Foam::solidAssembly::split(const labelList& cellMaterial)
 Foam::solidAssembly::solidAssembly
 (
     const feMesh& fe,
+    const solidElements& elements,
     const dictionary& mechanicalProperties
 )
 :
-    fe_(fe)
+    fe_(fe),
+    elements_(elements)
 {
     split(readMaterials(mechanicalProperties));
+    checkShapes();
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::labelHashSet Foam::solidAssembly::withoutPressure() const
+{
+    labelHashSet found;
+    forAll(blocks_, b)
+    {
+        const elementBlock& block = blocks_[b];
+        if (mixed(b)) continue;
+        if (elements_.pressureOn == fieldLayout::support::CELLS) found.insert(block.cells);
+        else for (label e = 0; e < block.size(); ++e)
+        {
+            for (label i = 0; i < block.nVertices(); ++i) found.insert(block.element(e)[i]);
+        }
+    }
+    return found;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::solidAssembly::cellPressure(const scalarField& p) const
+{
+    const bool onCells = elements_.pressureOn == fieldLayout::support::CELLS;
+    tmp<scalarField> tcells(new scalarField(fe_.mesh().nCells(), Zero));
+    scalarField& cells = tcells.ref();
+    forAll(materials_, m)
+    {
+        if (!mixedLoops_.set(m)) continue;
+        const scalarField atVertices(onCells ? vertexPressure(p, m) : tmp<scalarField>(p));
+        forAll(blocks_, b)
+        {
+            const elementBlock& block = blocks_[b];
+            const label n = block.nVertices();
+            if (material_[b] != m) continue;
+            for (label e = 0; e < block.size(); ++e) for (label i = 0; i < n; ++i)
+            {
+                cells[block.cells[e]] += atVertices[block.element(e)[i]]/n;
+            }
+        }
+    }
+    return tcells;
+}
+
+
 Foam::scalar Foam::solidAssembly::assemble
 (
-    const solidStage& stage,
+    const mixedStage& stage,
     vectorField& force,
+    scalarField& volume,
     feMatrix* K,
     const PtrList<elementScatter>& scatter
 ) const
@@ -189,16 +305,14 @@ Foam::scalar Foam::solidAssembly::assemble
     scalar minDetJ = GREAT;
     forAll(blocks_, b)
     {
-        const solidElementLoop& loop = loops_[material_[b]];
-        if (K)
-        {
-            const solidMatrix to{*K, scatter[b]};
-            minDetJ = min(minDetJ, loop.assemble(blocks_[b], stage, force, &to));
-        }
-        else
-        {
-            minDetJ = min(minDetJ, loop.assemble(blocks_[b], stage, force, nullptr));
-        }
+        std::unique_ptr<solidMatrix> to;
+        if (K) to.reset(new solidMatrix{*K, scatter[b]});
+        const label m = material_[b];
+        const scalar detJ =
+            mixed(b)
+          ? mixedLoops_[m].assemble(blocks_[b], stage, force, volume, to.get())
+          : loops_[m].assemble(blocks_[b], stage, force, to.get());
+        minDetJ = min(minDetJ, detJ);
     }
     return minDetJ;
 }
@@ -207,12 +321,14 @@ Foam::scalar Foam::solidAssembly::assemble
 void Foam::solidAssembly::stress
 (
     const vectorField& D,
+    const scalarField& p,
     symmTensorField& sigma
 ) const
 {
     forAll(blocks_, b)
     {
         const elementBlock& block = blocks_[b];
+        const auto* law = mixed(b) ? dynamic_cast<const mixedMaterial*>(&material(b)) : nullptr;
         withElement(block, [&](auto tag)
         {
             typedef decltype(tag) E;
@@ -242,7 +358,9 @@ void Foam::solidAssembly::stress
                 const ten F = (dD & inv(dX)).addDiag(1);
 
                 // sigma = P F^T/J
-                const ten s = (1/det(F))*(material(b).P(F) & F.t());
+                const ten P = law ? law->Piso(F) : material(b).P(F);
+                ten s = (1/det(F))*(P & F.t());
+                if (law) s.addDiag(-p[block.cells[e]]);
                 sigma[block.cells[e]] =
                     symmTensor(s(0, 0), s(0, 1), s(0, 2), s(1, 1), s(1, 2), s(2, 2));
             }

@@ -54,6 +54,24 @@ const variant variants[] =
             "transport=bulkModulus [1 -1 -2 0 0 0 0] 5;"
         }
     },
+    {
+        "mixedTaylorHood",
+        {"time=type generalisedAlpha; rhoInf 0.5;", "solid=taylorHood", "material=type MooneyRivlin; rho 2; c1 4; c2 2;"}
+    },
+    {
+        "mixedQ1Q0",
+        {
+            "time=type generalisedAlpha; rhoInf 0.8;", "fluid=equalOrder", "solid=Q1Q0",
+            "material=type isochoricNeoHookean; rho 2; mu 12;"
+        }
+    },
+    {
+        "mixedEqualOrderSteady",
+        {
+            "time=type steady;", "fluid=equalOrder", "solid=equalOrder",
+            "material=type isochoricNeoHookean; rho 2; mu 12; bulkModulus 500;"
+        }
+    },
     {"space", {"time=type generalisedAlpha; rhoInf 0.5;", "fluid=equalOrder", "solid=linear", "dim=3"}},
     {"spaceTaylorHood", {"time=type Newmark;", "dim=3"}},
     {"spaceSteady", {"time=type steady;", "dim=3", "fluid=equalOrder", "solid=linear"}},

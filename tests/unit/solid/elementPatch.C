@@ -59,17 +59,33 @@ static PtrList<elementScatter> makeScatter(const elementBlock& block, const fiel
 } // End namespace Foam
 
 
-const Foam::dictionary& Foam::exampleMaterials()
+Foam::dictionary Foam::exampleDict(const word& type)
 {
-    static IFstream is(getEnv("MONOLITHICFOAM_DIR") + "/tests/unit/solid/materials");
-    static const dictionary dict(is);
+    IFstream is(getEnv("MONOLITHICFOAM_DIR") + "/etc/caseDicts/materials/" + type);
+    const dictionary file(is);
+    dictionary dict(file.subDict(file.first()->keyword()));
+    if (dict.found("bulkModulus")) dict.set("bulkModulus", 2e6);
     return dict;
 }
 
 
 Foam::autoPtr<Foam::solidMaterial> Foam::exampleMaterial(const word& type)
 {
-    return solidMaterial::New(exampleMaterials().subDict(type));
+    return solidMaterial::New(exampleDict(type));
+}
+
+
+Foam::wordList Foam::allMaterials()
+{
+    return solidMaterial::dictionaryConstructorTablePtr_->sortedToc();
+}
+
+
+Foam::wordList Foam::objectiveMaterials()
+{
+    wordList all;
+    for (const word& type : allMaterials()) if (type != "linearElastic") all.append(type);
+    return all;
 }
 
 

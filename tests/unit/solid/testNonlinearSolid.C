@@ -8,176 +8,13 @@ Description
     Cook's membrane, loads and their tangents, errors of the dictionaries.
 \*---------------------------------------------------------------------------*/
 
-#include "nonlinearSolid.H"
-#include "Time.H"
-#include "OFstream.H"
-#include "OSspecific.H"
+#include "solidCase.H"
 #include "Random.H"
-#include <Eigen/Sparse>
-#include <gtest/gtest.h>
-#include <cstdlib>
 
 using namespace Foam;
 
 namespace
 {
-
-//- Case in a temporary directory, removed at the end
-class solidCase
-{
-    fileName dir_;
-    autoPtr<Time> time_;
-    autoPtr<fvMesh> mesh_;
-    autoPtr<nodeMap> map_;
-    autoPtr<dofConstraints> constraints_;
-    autoPtr<feMatrix> K_;
-
-    void write(const fileName& file, const std::string& cls, const std::string& content)
-    {
-        mkDir((dir_/file).path());
-        OFstream os(dir_/file);
-        os  << "FoamFile { version 2.0; format ascii; class " << cls.c_str()
-            << "; object " << file.name() << "; }\n" << content.c_str() << endl;
-    }
-
-public:
-
-    autoPtr<nonlinearSolid> solid;
-
-    //- Entries of the files
-    std::string blockMesh, materials, elements = "linear", timeScheme = "type steady;", pointD;
-
-    ~solidCase()
-    {
-        solid.clear();
-        mesh_.clear();
-        time_.clear();
-        rmDir(dir_);
-    }
-
-    void make()
-    {
-        char name[] = "/tmp/test-solid-XXXXXX";
-        dir_ = ::mkdtemp(name);
-        write("system/controlDict", "dictionary", "deltaT 0.1; endTime 1; writeInterval 1;");
-        write("system/fvSchemes", "dictionary", "divSchemes {} gradSchemes {} laplacianSchemes {}");
-        write("system/fvSolution", "dictionary", "");
-        write
-        (
-            "system/feSchemes", "dictionary",
-            "elements " + elements + "; timeScheme {" + timeScheme + "}"
-        );
-        write("constant/mechanicalProperties", "dictionary", "materials (" + materials + ");");
-        write("system/blockMeshDict", "dictionary", blockMesh);
-        write
-        (
-            "0/pointD", "pointVectorField",
-            "dimensions [0 1 0 0 0 0 0]; internalField uniform (0 0 0); boundaryField {" + pointD + "}"
-        );
-        ASSERT_EQ(std::system(("blockMesh -case " + dir_ + " > " + dir_ + "/log").c_str()), 0);
-
-        time_.reset(new Time(Time::controlDictName, fileName(dir_.path()), fileName(dir_.name())));
-        mesh_.reset(new fvMesh(IOobject(fvMesh::defaultRegion, "constant", time_(), IOobject::MUST_READ)));
-        solid.reset(new nonlinearSolid(mesh_(), dictionary()));
-
-        const fieldLayout& layout = solid->layout();
-        map_.reset(new nodeMap(layout.keys(), fieldUnknowns::counts(layout)));
-        constraints_.reset(new dofConstraints(map_()));
-        solid->number(map_(), identity(layout.nEntities()), fieldUnknowns::offsets(layout));
-        solid->constrain(constraints_());
-        constraints_->close();
-        solid->connect();
-        K_.reset(new feMatrix(map_(), map_(), constraints_.get(), solid->scatter()));
-        time_->setDeltaT(0.1);
-        solid->timeScheme().setDeltaT(0.1);
-    }
-
-    //- To the next time
-    void next()
-    {
-        solid->state().shift();
-        ++time_();
-        solid->predict(time_->value());
-    }
-
-    label nUnknowns() const { return map_->nUnknowns(); }
-
-    scalarField residual(const bool condensed = true)
-    {
-        scalarField R(nUnknowns(), 0);
-        solid->assemble(R, nullptr);
-        if (condensed) constraints_->condense(R);
-        return R;
-    }
-
-    Eigen::SparseMatrix<double> tangent()
-    {
-        K_->clear();
-        scalarField R(nUnknowns(), 0);
-        solid->assemble(R, K_.get());
-        labelList row, col;
-        scalarField value;
-        K_->triplets(row, col);
-        K_->values(value);
-        std::vector<Eigen::Triplet<double>> entries;
-        forAll(value, k) entries.push_back({int(row[k]), int(col[k]), value[k]});
-        Eigen::SparseMatrix<double> K(nUnknowns(), nUnknowns());
-        K.setFromTriplets(entries.begin(), entries.end());
-        return K;
-    }
-
-    void update(scalarField dx)
-    {
-        constraints_->distribute(dx);
-        solid->update(dx);
-    }
-
-    //- Newton's method. Returns the number of iterations
-    label solve()
-    {
-        for (label iter = 1; iter <= 30; ++iter)
-        {
-            scalarField r(-residual()), dx(nUnknowns());
-            const Eigen::SparseMatrix<double> K = tangent();
-            const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(K);
-            Eigen::Map<Eigen::VectorXd>(dx.data(), dx.size()) =
-                factors.solve(Eigen::Map<Eigen::VectorXd>(r.data(), r.size()));
-            update(dx);
-            if (max(mag(dx)) < 1e-10*max(mag(solid->motion().D))) return iter;
-        }
-        return -1;
-    }
-
-    //- Displacement of the node at a position in the plane
-    vector displacement(const point& X) const
-    {
-        const feRegion& region = solid();
-        forAll(solid->fe().points(), n)
-        {
-            const vector d = solid->fe().points()[n] - X;
-            if (mag(d.x()) + mag(d.y()) < 1e-6) return region.motion().D[n];
-        }
-        return vector::max;
-    }
-};
-
-
-const char* const twoDimensional = "plane { type empty; faces ((0 3 2 1) (4 5 6 7)); }";
-
-void cook(solidCase& c, const std::string& n, const std::string& elements)
-{
-    c.elements = elements;
-    c.blockMesh =
-        "vertices ((0 0 0) (48 44 0) (48 60 0) (0 44 0) (0 0 1) (48 44 1) (48 60 1) (0 44 1));"
-        "blocks (hex (0 1 2 3 4 5 6 7) (" + n + " " + n + " 1) simpleGrading (1 1 1)); boundary ("
-        "clamp { type wall; faces ((0 4 7 3)); } right { type patch; faces ((1 2 6 5)); }"
-        "free { type patch; faces ((0 1 5 4) (3 7 6 2)); }" + twoDimensional + ");";
-    c.materials = "cook { type neoHookean; rho 1; E 200; nu 0.35; }";
-    c.pointD =
-        "clamp { type fixedValue; value uniform (0 0 0); } free { type calculated; value uniform (0 0 0); }"
-        "right { type traction; traction constant (0 4 0); value uniform (0 0 0); } plane { type empty; }";
-    c.make();
-}
 
 void cube(solidCase& c)
 {
@@ -190,25 +27,6 @@ void cube(solidCase& c)
     c.pointD =
         "clamp { type fixedValue; value uniform (0 0 0); } free { type calculated; value uniform (0 0 0); }"
         "loaded { type followerPressure; pressure constant 20; value uniform (0 0 0); }";
-}
-
-
-//- The message of the error that a case gives
-std::string complaintOf(solidCase& c)
-{
-    const bool throwing = FatalIOError.throwExceptions();
-    std::string message;
-    try { c.make(); }
-    catch (const Foam::IOerror& error) { message = error.message(); }
-    catch (const Foam::error& error) { message = error.message(); }
-    FatalIOError.throwExceptions(throwing);
-    return message;
-}
-
-void expectComplaint(solidCase& c, const std::string& part)
-{
-    const std::string message = complaintOf(c);
-    EXPECT_NE(message.find(part), std::string::npos) << message;
 }
 
 } // End anonymous namespace

@@ -1,0 +1,15 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "reducedPolynomial.H"
+
+namespace Foam
+{
+    template class mixedMaterialOf<solidLaws::reducedPolynomial>;
+}
+
+
+// ************************************************************************* //
