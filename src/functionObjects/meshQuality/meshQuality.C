@@ -20,82 +20,40 @@ namespace functionObjects
 }
 
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-//- Of the regular shape: l^d/V, determinant of the unit vectors along the
-//  edges at a corner
-struct regularShape
-{
-    scalar c;
-    scalar corner;
-};
-
-static regularShape regular(const elementShape shape)
-{
-    const scalar sqrt2 = Foam::sqrt(2.0), sqrt3 = Foam::sqrt(3.0);
-    switch (shape)
-    {
-        case elementShape::TRI:     return {4/sqrt3, 0.5*sqrt3};
-        case elementShape::TET:     return {6*sqrt2, 1/sqrt2};
-        case elementShape::PRISM:   return {4/sqrt3, 0.5*sqrt3};
-        case elementShape::PYRAMID: return {3*sqrt2, 1/sqrt2};
-        default:                    return {1, 1};
-    }
-}
-
-
-//- Determinant of the unit vectors along the d edges that meet at corner i, in
-//  the order that makes it positive in the reference element
-template<class L>
-static scalar cornerDeterminant(const Vec<double, L::dim>* x, const int i)
-{
-    constexpr int d = L::dim;
-    Ten<double, d> J = Ten<double, d>::zero(), ref = J;
-    int n = 0;
-    for (int e = 0; e < L::nEdges; ++e)
-    {
-        const int a = L::edges[e][0], b = L::edges[e][1];
-        if (a != i && b != i) continue;
-        if (n == d) return GREAT;       // apex of a pyramid: left out
-        const int j = a == i ? b : a;
-        scalar length = 0;
-        for (int c = 0; c < d; ++c) length += sqr(x[j][c] - x[i][c]);
-        length = max(Foam::sqrt(length), VSMALL);
-        for (int c = 0; c < d; ++c)
-        {
-            J(c, n) = (x[j][c] - x[i][c])/length;
-            ref(c, n) = L::xi[j][c] - L::xi[i][c];
-        }
-        ++n;
-    }
-    return det(ref) < 0 ? -det(J) : det(J);
-}
-
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::wordList Foam::functionObjects::meshQuality::columns()
+{
+    wordList names({"minDetJ"});
+    for (const qualityMeasure& m : qualityMeasures()) names.append(m.extreme);
+    names.append("stepsToInversion");
+    return names;
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::functionObjects::meshQuality::nodes() const
+{
+    for (const char* field : {"pointDisplacement", "pointD"})
+    {
+        if (const vectorField* D = nodal<vector>(field)) return region().fe().points() + *D;
+    }
+    return positions();
+}
+
+
 template<class E>
-void Foam::functionObjects::meshQuality::add
+Foam::scalar Foam::functionObjects::meshQuality::minDetJ
 (
+    const feMesh& fe,
     const elementBlock& block,
     const vectorField& x,
     const vectorField& X
 )
 {
-    typedef typename E::Linear L;
     constexpr int d = E::dim;
-    const feMesh& fe = region().fe();
-    const regularShape reg = regular(block.shape);
-
     feValues<double, E> now, reference;
-    feValues<double, L> corners;
     Vec<double, d> xe[E::nNodes], Xe[E::nNodes];
-
+    scalar least = GREAT;
     for (label e = 0; e < block.size(); ++e)
     {
         for (int i = 0; i < E::nNodes; ++i) for (int a = 0; a < d; ++a)
@@ -103,38 +61,34 @@ void Foam::functionObjects::meshQuality::add
             xe[i][a] = x[block.element(e)[i]][fe.axis(a)];
             Xe[i][a] = X[block.element(e)[i]][fe.axis(a)];
         }
-
         for (int q = 0; q < now.nQ; ++q)
         {
             now.reinit(xe, q);
             reference.reinit(Xe, q);
-            minDetJ_ = min(minDetJ_, now.detJ/reference.detJ);
+            least = min(least, now.detJ/reference.detJ);
         }
-
-        for (int i = 0; i < L::nNodes; ++i)
-        {
-            minScaledJacobian_ =
-                min(minScaledJacobian_, cornerDeterminant<L>(xe, i)/reg.corner);
-        }
-
-        scalar l = 0, V = 0;
-        for (int i = 0; i < L::nEdges; ++i)
-        {
-            scalar s = 0;
-            for (int a = 0; a < d; ++a)
-            {
-                s += sqr(xe[L::edges[i][1]][a] - xe[L::edges[i][0]][a]);
-            }
-            l += Foam::sqrt(s)/L::nEdges;
-        }
-        for (int q = 0; q < corners.nQ; ++q)
-        {
-            corners.reinit(xe, q);
-            V += corners.dV;
-        }
-        const scalar AR = V > 0 ? pow(l, scalar(d))/V/reg.c : GREAT;
-        maxAspectRatio_ = max(maxAspectRatio_, AR);
     }
+    return least;
+}
+
+
+void Foam::functionObjects::meshQuality::warn(const inversionForecast& first) const
+{
+    if (!(first.steps < warnSteps_)) return;
+    const feMesh& fe = region().fe();
+    point where(-GREAT, -GREAT, -GREAT);
+    label celli = -1;
+    if (first.element >= 0)
+    {
+        celli = fe.blocks()[first.block].cells[first.element];
+        where = mesh_.cellCentres()[celli];
+    }
+    reduce(where, maxOp<point>());
+    reduce(celli, maxOp<label>());
+    WarningInFunction
+        << "Region " << mesh_.name() << ": at the rate of this step cell " << celli << " at "
+        << where << " will be inverted in " << first.steps << " steps. Another stiffness of"
+        << " the mesh motion may help, or a new mesh." << endl;
 }
 
 
@@ -148,51 +102,75 @@ Foam::functionObjects::meshQuality::meshQuality
 )
 :
     feFunctionObject(name, runTime, dict, typeName),
-    minDetJ_(GREAT),
-    minScaledJacobian_(GREAT),
-    maxAspectRatio_(0)
+    warnSteps_(5)
 {
     read(dict);
-    reportUnknownEntries(dict, {});
+    reportUnknownEntries(dict, {"warnSteps"});
 
     writeHeader(file(), "Worst elements of the mesh");
-    writeColumns(file(), {"minDetJ", "minScaledJacobian", "maxAspectRatio"});
+    writeColumns(file(), columns());
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::functionObjects::meshQuality::read(const dictionary& dict)
+{
+    warnSteps_ = dict.getOrDefault<scalar>("warnSteps", 5);
+    return feFunctionObject::read(dict);
+}
+
+
 bool Foam::functionObjects::meshQuality::execute()
 {
     const feMesh& fe = region().fe();
-    const vectorField x(positions());
-
-    minDetJ_ = minScaledJacobian_ = GREAT;
-    maxAspectRatio_ = 0;
-    for (const elementBlock& block : fe.blocks())
+    const vectorField x(nodes());
+    if (returnReduce(last_.size() != x.size(), orOp<bool>()))
     {
-        withElement(block, [&](auto E) { add<decltype(E)>(block, x, fe.points()); });
+        reference_ = qualities(fe, fe.points());
+        last_ = x;
     }
-    reduce(minDetJ_, minOp<scalar>());
-    reduce(minScaledJacobian_, minOp<scalar>());
-    reduce(maxAspectRatio_, maxOp<scalar>());
 
-    setResult("minDetJ", minDetJ_);
-    setResult("minScaledJacobian", minScaledJacobian_);
-    setResult("maxAspectRatio", maxAspectRatio_);
+    const List<qualityMeasure>& measures = qualityMeasures();
+    scalar detJ = GREAT;
+    scalarList extremes(measures.size());
+    forAll(measures, m) extremes[m] = measures[m].smallIsBad ? GREAT : -GREAT;
+    const elementQualities now(qualities(fe, x));
+    forAll(now, b)
+    {
+        const elementBlock& block = fe.blocks()[b];
+        withElement(block, [&](auto E) { detJ = min(detJ, minDetJ<decltype(E)>(fe, block, x, fe.points())); });
+        forAll(now[b], e) forAll(measures, m)
+        {
+            const scalar value = measures[m].of(now[b][e], reference_[b][e]);
+            if (measures[m].worse(value, extremes[m])) extremes[m] = value;
+        }
+    }
+    extremes_ = scalarList(1, returnReduce(detJ, minOp<scalar>()));
+    forAll(measures, m)
+    {
+        measures[m].smallIsBad ? reduce(extremes[m], minOp<scalar>()) : reduce(extremes[m], maxOp<scalar>());
+        extremes_.append(extremes[m]);
+    }
+    const inversionForecast first(forecast(fe, x, x - last_));
+    extremes_.append(first.steps);
+    warn(first);
+    last_ = x;
 
+    const wordList names(columns());
+    forAll(names, i) setResult(names[i], extremes_[i]);
     return true;
 }
 
 
 bool Foam::functionObjects::meshQuality::write()
 {
-    Log << type() << " " << name() << " write:" << nl
-        << "    min det J ratio     : " << minDetJ_ << nl
-        << "    min scaled Jacobian : " << minScaledJacobian_ << nl
-        << "    max aspect ratio    : " << maxAspectRatio_ << nl << endl;
+    Log << type() << " " << name() << " write:" << nl;
+    const wordList names(columns());
+    forAll(names, i) Log << "    " << names[i] << " : " << extremes_[i] << nl;
+    Log << endl;
 
-    writeRow(file(), {minDetJ_, minScaledJacobian_, maxAspectRatio_});
+    writeRow(file(), extremes_);
     return true;
 }
 
