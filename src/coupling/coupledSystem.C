@@ -166,15 +166,19 @@ Foam::coupledSystem::coupledSystem(Time& runTime)
             IOobject::MUST_READ, IOobject::NO_WRITE
         )
     ),
-    newton_(subDictOrEmpty(solution_, "newton"))
+    newton_(subDictOrEmpty(solution_, "newton")),
+    writer_(*this),
+    deltaT0_(runTime.deltaTValue()),
+    failedNorm_(-1)
 {
     trapsOff::inThreads();
-    reportUnknownEntries(solution_, {"newton", "linearSolver", "initialRates"});
+    reportUnknownEntries(solution_, {"newton", "linearSolver", "timeStepControl", "initialRates"});
     for (const word control : {"adjustTimeStep", "maxCo", "maxDeltaT"})
     {
         if (!runTime.controlDict().found(control)) continue;
         IOWarningInFunction(runTime.controlDict())
-            << "Entry " << control << " has no effect: steps have the length deltaT" << endl;
+            << "Entry " << control << " has no effect: for automatic steps use"
+            << " timeStepControl of system/feSolution" << endl;
     }
     readRegions();
     readInterfaces();
@@ -211,6 +215,7 @@ void Foam::coupledSystem::advance()
         region.advance();
         region.derive();
     }
+    deltaT0_ = runTime_.deltaTValue();
 }
 
 

@@ -162,7 +162,7 @@ bool Foam::coupledSystem::step()
     times_.startStep();
     for (feRegion& region : regions_)
     {
-        region.timeScheme().setDeltaT(runTime_.deltaTValue());
+        region.timeScheme().setDeltaT(runTime_.deltaTValue(), deltaT0_);
         region.predict(runTime_.value());
     }
     follow();
@@ -197,7 +197,16 @@ bool Foam::coupledSystem::step()
 }
 
 
-Foam::string Foam::coupledSystem::reasonOfFailure() const
+Foam::string Foam::coupledSystem::outcome() const
+{
+    OStringStream os;
+    os  << newtonControl::outcomeName(newton_.outcome()) << " after "
+        << newton_.nIterations() << " iterations";
+    return os.str();
+}
+
+
+Foam::string Foam::coupledSystem::placeOfFailure() const
 {
     OStringStream os;
     if (newton_.outcome() == newtonControl::INVERTED_ELEMENT)
@@ -208,13 +217,28 @@ Foam::string Foam::coupledSystem::reasonOfFailure() const
             os << "Region " << region.name() << ": " << region.worstElement().c_str() << nl;
         }
     }
-    else if (newton_.outcome() == newtonControl::DIVERGED || newton_.outcome() == newtonControl::MAX_ITERATIONS)
+    else if (newton_.outcome() < newtonControl::INVERTED_ELEMENT)
     {
         label block;
         os  << "The residual is worst at "
             << unknowns_->describe(norms_->worst(R_), block).c_str() << nl;
     }
     return os.str();
+}
+
+
+bool Foam::coupledSystem::smallerMayHelp()
+{
+    const label outcome = newton_.outcome();
+    bool steady = true;
+    for (const feRegion& region : regions_) steady = steady && region.timeScheme().steady();
+
+    // A steady step that begins with the same residual is the same problem
+    const bool same = steady && newton_.firstNorm() == failedNorm_;
+    failedNorm_ = newton_.firstNorm();
+    return
+        !same && outcome != newtonControl::OUT_OF_MEMORY
+     && (outcome != newtonControl::SINGULAR || times_.nSteps > 0);
 }
 
 

@@ -85,7 +85,7 @@ void Foam::coupledSystem::set(const moment& m)
     forAll(regions_, r)
     {
         regions_[r].state().set(m.regions[r]);
-        regions_[r].timeScheme().setDeltaT(m.deltaT);
+        regions_[r].timeScheme().setDeltaT(m.deltaT, deltaT0_);
     }
     runTime_.setDeltaT(m.deltaT, false);
     runTime_.setTime(m.time, m.index);
@@ -117,6 +117,20 @@ Foam::fileName Foam::coupledSystem::stateFile(const label r) const
 {
     return runTime_.path()/runTime_.timeName()/regions_[r].name()/"restart"/"feState";
 }
+
+
+Foam::coupledSystem::stateWriter::stateWriter(coupledSystem& system)
+:
+    regIOobject
+    (
+        IOobject
+        (
+            "feState", system.runTime_.timeName(), system.runTime_,
+            IOobject::NO_READ, IOobject::AUTO_WRITE
+        )
+    ),
+    system_(system)
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -330,6 +344,7 @@ bool Foam::coupledSystem::readState()
     }
     remakeFactors(std::make_shared<moment>(factorsAt), policy);
     runTime_.setDeltaT(deltaT, false);
+    deltaT0_ = present.deltaT;
     Info<< "State read at time " << runTime_.timeName() << nl;
     compareFields();
     return true;

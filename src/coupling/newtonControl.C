@@ -12,8 +12,8 @@ const char* Foam::newtonControl::outcomeName(const label o)
 {
     static const char* names[] =
     {
-        "converged", "maxIterations", "diverged", "invertedElement", "singular", "outOfMemory",
-        "linearSolver"
+        "converged", "maxIterations", "diverged", "notFinite", "invertedElement", "singular",
+        "outOfMemory", "linearSolver"
     };
     return names[o];
 }
@@ -30,6 +30,7 @@ Foam::newtonControl::newtonControl(const dictionary& dict)
     iteration_(-1),
     norm_(GREAT),
     firstNorm_(GREAT),
+    nGrowths_(0),
     minDetJ_(GREAT),
     outcome_(CONVERGED)
 {
@@ -63,13 +64,15 @@ void Foam::newtonControl::start()
 bool Foam::newtonControl::loop(const scalar norm, const bool nil, const scalar minDetJ)
 {
     ++iteration_;
+    if (iteration_ == 0) firstNorm_ = norm;
+    nGrowths_ = iteration_ > 0 && norm > max(norm_, firstNorm_) ? nGrowths_ + 1 : 0;
     norm_ = norm;
     minDetJ_ = minDetJ;
-    if (iteration_ == 0) firstNorm_ = norm;
 
     if (outcome_ != CONVERGED) return false;
-    if (!(minDetJ > 0)) outcome_ = INVERTED_ELEMENT;
-    else if (!std::isfinite(norm) || norm > 1e8*max(firstNorm_, 1.0)) outcome_ = DIVERGED;
+    if (minDetJ <= 0) outcome_ = INVERTED_ELEMENT;
+    else if (!std::isfinite(norm) || !std::isfinite(minDetJ)) outcome_ = NOT_FINITE;
+    else if (norm > 1e8*max(firstNorm_, 1.0) || nGrowths_ == 5) outcome_ = DIVERGED;
     else if (norm <= tolerance_ && (nil || iteration_ > 0)) return false;
     else if (iteration_ >= maxIter_) outcome_ = MAX_ITERATIONS;
 
@@ -83,14 +86,21 @@ const char* Foam::newtonControl::advice() const
     {
         case INVERTED_ELEMENT:
             return
-                "Where a motion is prescribed, another stiffness of the mesh motion or a mesh"
-                " that leaves it more room may help, for a rough start a smaller deltaT.";
+                "In a fluid the mesh has no room for this motion: another stiffness of the mesh"
+                " motion or a mesh with more room there may help. In a solid a finer mesh,"
+                " another element or a stiffer material where it is squeezed may.";
         case OUT_OF_MEMORY:
             return "The factors do not fit into the memory: use more ranks or a coarser mesh.";
         case SINGULAR:
             return "See the message on the singular matrix above.";
+        case NOT_FINITE:
+            return
+                "A load, a boundary value, a material or the mesh gives no finite number there:"
+                " check the functions of time and space that it has.";
         default:
-            return "Try a smaller deltaT, for a steady case a ramp of its loads.";
+            return
+                "Check the units of loads and materials there, and whether a load jumps: a ramp,"
+                " or its time in timeStepControl { times (...); }, may help.";
     }
 }
 

@@ -21,7 +21,7 @@ namespace Foam
 
 Foam::feTimeScheme::feTimeScheme()
 :
-    alphaM_(1), alphaF_(1), gamma_(1), beta_(1), delta_(0.5), steady_(false), deltaT_(1)
+    alphaM_(1), alphaF_(1), gamma_(1), beta_(1), delta_(0.5), steady_(false), deltaT_(1), deltaT0_(1)
 {}
 
 

@@ -13,13 +13,32 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
-#include "Time.H"
+#include "caseTime.H"
 #include "coupledSystem.H"
 #include "coupledInterfaceReport.H"
+#include "stepControl.H"
+#include "timeError.H"
 #include "exitOnIOError.H"
 #include "stockFunctionObjects.H"
 
 using namespace Foam;
+
+//- The smallest step has failed: the last good state, if it is not the initial
+//  one, is written, and the run ends
+static void stop(caseTime& runTime, coupledSystem& problem, const stepControl& step)
+{
+    const bool written = runTime.timeIndex() > runTime.startTimeIndex();
+    if (written)
+    {
+        problem.advance();
+        runTime.writeNow();
+        runTime.complete();
+    }
+    FatalErrorInFunction
+        << step.failure().c_str() << (written ? "The last good state has been written. " : "")
+        << problem.newton().advice() << exit(FatalError);
+}
+
 
 int main(int argc, char *argv[])
 {
@@ -36,11 +55,13 @@ int main(int argc, char *argv[])
     );
     #include "setRootCase.H"
     exitOnIOError();
-    #include "createTime.H"
+    Info<< "Create time\n" << endl;
+    caseTime runTime(args);
     checkFunctionObjects(runTime);
 
     coupledSystem problem(runTime);
     const coupledInterfaceReport interfaces(runTime, problem);
+    stepControl step(runTime, problem.solution());
     problem.report();
     if (args.found("dry-run"))
     {
@@ -48,37 +69,28 @@ int main(int argc, char *argv[])
         return 0;
     }
 
-    while (runTime.run())
+    timeError error(problem.regions(), step.wantsError());
+    while (step.next())
     {
         problem.store();
-        ++runTime;
-        Info<< "Time = " << runTime.timeName() << nl;
-
-        if (!problem.step())
+        error.store();
+        while (step.attempt())
         {
-            // Back to the last good state, written if it is not the initial one
-            const string reason(problem.reasonOfFailure());
-            problem.restore();
-            const bool written = runTime.timeIndex() > runTime.startTimeIndex();
-            if (written)
+            if (problem.step())
             {
-                problem.advance();
-                runTime.writeNow();
-                problem.writeState();
+                step.accept(problem.newton().nIterations(), error.estimate(runTime));
             }
-            FatalErrorInFunction
-                << "The step from time " << runTime.timeName() << " with deltaT "
-                << runTime.deltaTValue() << " did not converge: "
-                << newtonControl::outcomeName(problem.newton().outcome()) << " after "
-                << problem.newton().nIterations() << " iterations." << nl
-                << reason.c_str()
-                << (written ? "The last good state has been written. " : "")
-                << problem.newton().advice() << exit(FatalError);
+            else
+            {
+                const string where(problem.placeOfFailure());
+                problem.restore();
+                step.bisect(problem.outcome(), where, problem.smallerMayHelp());
+            }
         }
+        if (step.failed()) stop(runTime, problem, step);
 
         problem.advance();
         runTime.write();
-        if (runTime.writeTime()) problem.writeState();
 
         problem.reportTimes();
         runTime.printExecutionTime(Info);
