@@ -399,6 +399,11 @@ Foam::scalar Foam::aleFluid::unknownScale(const label) const
 
 Foam::string Foam::aleFluid::singularAdvice(const label field) const
 {
+    if (field == PRESSURE && cellPressure() && schemes_.found("pRefPoint"))
+    {
+        return "With Q1Q0 in a closed cavity of equal cells pressures in the pattern of a"
+            " checkerboard are undetermined: choose elements equalOrder or taylorHood";
+    }
     return
         field == PRESSURE
       ? "The pressure is undetermined where no patch lets the fluid out: give one patch"
