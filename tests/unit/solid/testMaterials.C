@@ -10,7 +10,7 @@ Description
 
 #include "elementPatch.H"
 #include "IStringStream.H"
-#include "mixedMaterial.H"
+#include "materialTest.H"
 #include <gtest/gtest.h>
 
 using namespace Foam;
@@ -323,6 +323,38 @@ TEST(material, fibresLieInThePlaneOfTheCase)
     const scalar along = stress("(0 1 0)", {0, 1, 2});
     EXPECT_GT(along, 1.5*stress("(0 0 1)", {0, 1, 2}));
     EXPECT_NEAR(along, stress("(0 0 3)", {0, 2, 1}), 1e-14);
+}
+
+
+//- The laboratory's loads: closed forms of Mooney's law, and Hooke's for others
+TEST(material, hasTheLoadsOfTests)
+{
+    typedef materialTest::mode mode;
+    const auto law = [](const char* entries)
+    {
+        IStringStream is(entries);
+        return solidMaterial::New(dictionary(is));
+    };
+    const auto mooney = law("type MooneyRivlin; rho 1; c1 3; c2 0.7;");
+    const materialTest test(mooney());
+    const scalar l = 1.7;
+    EXPECT_NEAR(test.load(mode::UNIAXIAL, l), 2*(l - 1/(l*l))*(3 + 0.7/l), 1e-11);
+    EXPECT_NEAR(test.load(mode::EQUIBIAXIAL, l), 2*(l - ::pow(l, -5))*(3 + 0.7*l*l), 1e-11);
+    EXPECT_NEAR(test.load(mode::PLANAR, l), 2*(l - ::pow(l, -3))*3.7, 1e-11);
+    EXPECT_NEAR(test.load(mode::SHEAR, 0.4), 2*3.7*0.4, 1e-12);
+    EXPECT_THROW(test.load(mode::VOLUMETRIC, 0.9), Foam::error);
+
+    const scalar e = 1e-6, E = 100, nu = 0.3;
+    for (const char* entries : {"type StVenantKirchhoff; rho 1; E 100; nu 0.3;", "type neoHookean; rho 1; E 100; nu 0.3;"})
+    {
+        const auto metal = law(entries);
+        const materialTest small(metal());
+        EXPECT_NEAR(small.load(mode::UNIAXIAL, 1 + e), E*e, 1e-5*E*e);
+        EXPECT_NEAR(small.load(mode::EQUIBIAXIAL, 1 + e), E/(1 - nu)*e, 1e-5*E*e);
+        EXPECT_NEAR(small.load(mode::PLANAR, 1 + e), E/(1 - nu*nu)*e, 1e-5*E*e);
+        EXPECT_NEAR(small.load(mode::SHEAR, e), E/(2*(1 + nu))*e, 1e-5*E*e);
+        EXPECT_NEAR(small.load(mode::VOLUMETRIC, 1 - e), E/(3*(1 - 2*nu))*e, 1e-5*E*e);
+    }
 }
 
 
