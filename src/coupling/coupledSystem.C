@@ -169,6 +169,7 @@ Foam::coupledSystem::coupledSystem(Time& runTime)
     newton_(subDictOrEmpty(solution_, "newton")),
     writer_(*this),
     deltaT0_(runTime.deltaTValue()),
+    nIterations_(0),
     failedNorm_(-1)
 {
     trapsOff::inThreads();

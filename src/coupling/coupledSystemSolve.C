@@ -141,7 +141,23 @@ bool Foam::coupledSystem::regionsOk() const
 }
 
 
-void Foam::coupledSystem::logIteration(const label nLinear) const
+Foam::scalar Foam::coupledSystem::shorten()
+{
+    scalar part = 1;
+    while (part > 0.04 && newton_.tooFar(norms_->largest(), minDetJ()))
+    {
+        part *= 0.5;
+        dx_ *= -0.5;
+        for (feRegion& region : regions_) region.update(dx_);
+        follow();
+        dx_ *= -1;
+        assemble(false);
+    }
+    return part;
+}
+
+
+void Foam::coupledSystem::logIteration(const label nLinear, const scalar part) const
 {
     Info<< "  Newton " << newton_.nIterations() << ':';
     for (label b = 0; b < norms_->nBlocks(); ++b)
@@ -150,24 +166,26 @@ void Foam::coupledSystem::logIteration(const label nLinear) const
     }
     Info<< ", min det J " << fourDigits(newton_.minDetJ());
     if (nLinear >= 0) Info<< ", linear iterations " << nLinear;
+    if (part < 1) Info<< ", " << part << " of the increment";
     Info<< nl;
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::coupledSystem::step()
+void Foam::coupledSystem::predict()
 {
-    const trapsOff guard;
-    times_.startStep();
     for (feRegion& region : regions_)
     {
         region.timeScheme().setDeltaT(runTime_.deltaTValue(), deltaT0_);
         region.predict(runTime_.value());
     }
     follow();
+}
 
-    newton_.start();
+
+bool Foam::coupledSystem::newtonLoop()
+{
     label nLinear = -1;
     while (true)
     {
@@ -175,23 +193,46 @@ bool Foam::coupledSystem::step()
         // alone is much cheaper
         const bool first = newton_.nIterations() < 0;
         assemble(first);
+        const scalar part = first ? 1 : shorten();
         if (!regionsOk()) newton_.fail(newtonControl::LINEAR_SOLVER);
         const bool more = newton_.loop(norms_->largest(), norms_->isNil(), minDetJ());
-        logIteration(nLinear);
+        logIteration(nLinear, part);
         if (!more) break;
         if (!first) assemble(true);
         if (!solve()) break;
         nLinear = tangent_->nIterations();
         update();
     }
-
+    nIterations_ += newton_.nIterations();
     times_.nIterations += newton_.nIterations();
+    return newton_.ok();
+}
+
+
+bool Foam::coupledSystem::step()
+{
+    const trapsOff guard;
+    nIterations_ = 0;
+    for (const newtonControl::way& way : newton_.ways())
+    {
+        if (nIterations_)
+        {
+            Info<< outcome().c_str() << ": another way, by " << way.name << nl;
+            const TimeState time(runTime_);
+            restore();
+            static_cast<TimeState&>(runTime_) = time;
+        }
+        predict();
+        newton_.start(way);
+        if (newtonLoop() || !newton_.mayTurn()) break;
+    }
+
     for (label b = 0; b < norms_->nBlocks(); ++b)
     {
         Info<< "monolithic:  Solving for " << unknowns_->blocks()[b].name
             << ", Initial residual = " << fourDigits(norms_->firstScaled(b))
             << ", Final residual = " << fourDigits(norms_->scaled(b))
-            << ", No Iterations " << newton_.nIterations() << nl;
+            << ", No Iterations " << nIterations_ << nl;
     }
     return newton_.ok();
 }

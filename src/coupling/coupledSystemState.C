@@ -137,6 +137,7 @@ Foam::coupledSystem::stateWriter::stateWriter(coupledSystem& system)
 
 void Foam::coupledSystem::store()
 {
+    times_.startStep();
     for (feRegion& region : regions_) region.state().shift();
     kept_.at = now();
     kept_.factorsAt = factorsAt_;

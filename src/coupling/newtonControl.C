@@ -8,6 +8,20 @@
 #include "unknownEntries.H"
 #include <cmath>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static const newtonControl::way fullSteps{"full steps", 1, false, 1};
+static const newtonControl::way fallBacks[] =
+    {{"lineSearch", 1, true, 1}, {"relaxation", 0.5, true, 3}};
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
 const char* Foam::newtonControl::outcomeName(const label o)
 {
     static const char* names[] =
@@ -27,6 +41,8 @@ Foam::newtonControl::newtonControl(const dictionary& dict)
     maxIter_(dict.lookupOrDefault<label>("maxIter", 20)),
     relaxation_(dict.lookupOrDefault<scalar>("relaxation", 1)),
     linearTolerance_(dict.lookupOrDefault<scalar>("linearTolerance", 1e-3)),
+    ways_({fullSteps}),
+    way_(fullSteps),
     iteration_(-1),
     norm_(GREAT),
     firstNorm_(GREAT),
@@ -34,17 +50,28 @@ Foam::newtonControl::newtonControl(const dictionary& dict)
     minDetJ_(GREAT),
     outcome_(CONVERGED)
 {
-    reportUnknownEntries(dict, {"tolerance", "maxIter", "relaxation", "linearTolerance"});
+    reportUnknownEntries(dict, {"tolerance", "maxIter", "relaxation", "linearTolerance", "fallBack"});
+    for (const word& name : dict.lookupOrDefault("fallBack", wordList({"lineSearch", "relaxation"})))
+    {
+        const label found = name == fallBacks[0].name ? 0 : name == fallBacks[1].name ? 1 : -1;
+        if (found < 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown way '" << name << "' in fallBack, expected a list of "
+                << fallBacks[0].name << " and " << fallBacks[1].name << exit(FatalIOError);
+        }
+        ways_.append(fallBacks[found]);
+    }
     if
     (
-        !(tolerance_ > 0) || maxIter_ < 1 || !(relaxation_ > 0 && relaxation_ <= 1)
+        !(tolerance_ > 0 && tolerance_ < 1) || maxIter_ < 1 || !(relaxation_ > 0 && relaxation_ <= 1)
      || !(linearTolerance_ > 0 && linearTolerance_ < 1)
     )
     {
         FatalIOErrorInFunction(dict)
             << "Found tolerance " << tolerance_ << ", maxIter " << maxIter_
             << ", relaxation " << relaxation_ << ", linearTolerance "
-            << linearTolerance_ << "; expected tolerance > 0, maxIter >= 1,"
+            << linearTolerance_ << "; expected 0 < tolerance < 1, maxIter >= 1,"
             << " 0 < relaxation <= 1, 0 < linearTolerance < 1"
             << exit(FatalIOError);
     }
@@ -53,11 +80,28 @@ Foam::newtonControl::newtonControl(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::newtonControl::start()
+void Foam::newtonControl::start(const way& w)
 {
+    way_ = w;
+    nGrowths_ = 0;
     iteration_ = -1;
     norm_ = GREAT;
     outcome_ = CONVERGED;
+}
+
+
+bool Foam::newtonControl::tooFar(const scalar norm, const scalar minDetJ) const
+{
+    return
+        !(minDetJ > 0) || !std::isfinite(norm)
+     || (way_.search && norm > max(norm_, tolerance_));
+}
+
+
+bool Foam::newtonControl::mayTurn() const
+{
+    // A start that is of no worth is that of all ways
+    return iteration_ > 0 && outcome_ < SINGULAR;
 }
 
 
@@ -74,7 +118,7 @@ bool Foam::newtonControl::loop(const scalar norm, const bool nil, const scalar m
     else if (!std::isfinite(norm) || !std::isfinite(minDetJ)) outcome_ = NOT_FINITE;
     else if (norm > 1e8*max(firstNorm_, 1.0) || nGrowths_ == 5) outcome_ = DIVERGED;
     else if (norm <= tolerance_ && (nil || iteration_ > 0)) return false;
-    else if (iteration_ >= maxIter_) outcome_ = MAX_ITERATIONS;
+    else if (iteration_ >= maxIter_*way_.patience) outcome_ = MAX_ITERATIONS;
 
     return ok();
 }

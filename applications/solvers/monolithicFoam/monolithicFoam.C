@@ -78,7 +78,7 @@ int main(int argc, char *argv[])
         {
             if (problem.step())
             {
-                step.accept(problem.newton().nIterations(), error.estimate(runTime));
+                step.accept(problem.nIterations(), error.estimate(runTime));
             }
             else
             {
