@@ -136,6 +136,7 @@ void Foam::movingMesh::connect
 
 void Foam::movingMesh::predict(const feTimeScheme& ts, const scalar time)
 {
+    if (motion_.valid()) motion_->adapt(D_.D);
     D_.predict(ts);
     if (!pointDisplacement_.valid()) return;
     boundary_->forValues

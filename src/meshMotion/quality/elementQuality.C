@@ -64,6 +64,16 @@ scalar angleAcross(V a, V b, V t)
 }
 
 
+template<class V>
+scalar determinant(const V* column)
+{
+    constexpr int d = V::dim;
+    Ten<double, d> T;
+    for (int a = 0; a < d; ++a) for (int b = 0; b < d; ++b) T(a, b) = column[b][a];
+    return det(T);
+}
+
+
 //- Angles at the vertices, from the edges that meet there
 template<class E>
 void addAngles(const Vec<double, E::dim>* x, elementQuality& q)
@@ -98,34 +108,31 @@ void addBlock(const feMesh& fe, const elementBlock& block, const vectorField& x,
     constexpr int d = E::dim;
     if (d != fe.dim()) return;
     const scalar c = regularRatio(block.shape);
-    feValues<double, L> values;
+    const referenceTable<L>& table = referenceTable<L>::instance();
+    typedef Vec<double, d> vec;
     jacobianBound<E> bound;
-    Vec<double, d> xe[E::nNodes];
+    vec xe[E::nNodes];
 
     forAll(list, e)
     {
         elementVectors<E>::gather(fe, block, e, x, xe);
         scalar l = 0, V = 0;
         for (const auto& edge : L::edges) l += length(xe[edge[1]] - xe[edge[0]])/L::nEdges;
-        for (int q = 0; q < values.nQ; ++q)
+        for (int q = 0; q < table.nQ; ++q)
         {
-            values.reinit(xe, q);
-            V += values.dV;
+            // Without the inverse, which a flat element has not
+            vec J[d];
+            for (int b = 0; b < d; ++b)
+            {
+                J[b] = vec::zero();
+                for (int i = 0; i < L::nNodes; ++i) J[b] += xe[i]*table.dN[q][i][b];
+            }
+            V += determinant(J)*table.w[q];
         }
         elementQuality& quality = list[e];
         quality = {V, V > 0 ? Foam::pow(l, scalar(d))/V/c : GREAT, bound(xe), GREAT, 0};
         addAngles<L>(xe, quality);
     }
-}
-
-
-template<class V>
-scalar determinant(const V* column)
-{
-    constexpr int d = V::dim;
-    Ten<double, d> T;
-    for (int a = 0; a < d; ++a) for (int b = 0; b < d; ++b) T(a, b) = column[b][a];
-    return det(T);
 }
 
 
@@ -181,12 +188,16 @@ void forecastBlock
     for (label e = 0; e < block.size(); ++e)
     {
         elementVectors<E>::gather(fe, block, e, x, xe);
-        elementVectors<E>::gather(fe, block, e, dx, dxe);
+        if (dx.size()) elementVectors<E>::gather(fe, block, e, dx, dxe);
         for (int i = 0; i < E::nNodes; ++i)
         {
             L::columns(xe, E::xi[i], J);
-            L::columns(dxe, E::xi[i], dJ);
-            const scalar n = determinant(J) > 0 ? root(J, dJ) : 0;
+            scalar n = determinant(J) > 0 ? GREAT : 0;
+            if (n > 0 && dx.size())
+            {
+                L::columns(dxe, E::xi[i], dJ);
+                n = root(J, dJ);
+            }
             if (n < first.steps) first = {n, blocki, e};
         }
     }

@@ -13,6 +13,8 @@
 #include "ListOps.H"
 #include "subDictOrEmpty.H"
 #include "unknownEntries.H"
+#include "cellSet.H"
+#include "IOobjectList.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -24,9 +26,16 @@ namespace Foam
 namespace
 {
 
-elementGeometry geometry(const feMesh& fe, const elementBlock& block, const label e)
+elementGeometry geometry
+(
+    const feMesh& fe,
+    const label blocki,
+    const label e,
+    const vectorField& points
+)
 {
-    elementGeometry g{Zero, 0, 0, 0};
+    elementGeometry g{blocki, e, Zero, 0, 0, 0};
+    const elementBlock& block = fe.blocks()[blocki];
     withElement(block, [&](auto tag)
     {
         typedef decltype(tag) E;
@@ -34,12 +43,15 @@ elementGeometry geometry(const feMesh& fe, const elementBlock& block, const labe
         feValues<double, E> values;
         Vec<double, E::dim> x[E::nNodes];
         const label* n = block.element(e);
+        point centre = Zero;
         for (int i = 0; i < E::nNodes; ++i)
         {
-            for (int a = 0; a < E::dim; ++a) x[i][a] = fe.points()[n[i]][fe.axis(a)];
-            if (i < E::nVertices) g.centre += fe.points()[n[i]]/E::nVertices;
+            for (int a = 0; a < E::dim; ++a) x[i][a] = points[n[i]][fe.axis(a)];
+            if (i >= E::nVertices) continue;
+            g.centre += fe.points()[n[i]]/E::nVertices;
+            centre += points[n[i]]/E::nVertices;
         }
-        for (int i = 0; i < E::nVertices; ++i) g.radius += mag(fe.points()[n[i]] - g.centre)/E::nVertices;
+        for (int i = 0; i < E::nVertices; ++i) g.radius += mag(points[n[i]] - centre)/E::nVertices;
         for (int q = 0; q < values.nQ; ++q)
         {
             values.reinit(x, q);
@@ -64,16 +76,40 @@ scalar readExponent(const dictionary& dict)
 }
 
 
-scalar readFactor(const entry& zone, const dictionary& dict)
+scalar readFactor(const entry& e, const char* kind, const char* keyword, const dictionary& dict)
 {
-    const scalar factor = zone.isStream() ? readScalar(zone.stream()) : 0;
+    const scalar factor = e.isStream() ? readScalar(e.stream()) : 0;
     if (!(factor > 0 && factor < GREAT))
     {
         FatalIOErrorInFunction(dict)
-            << "The factor of cellZone " << zone.keyword() << " under zones is no"
-            << " number > 0" << exit(FatalIOError);
+            << "The factor of " << kind << ' ' << e.keyword() << " under " << keyword
+            << " is no number > 0" << exit(FatalIOError);
     }
     return factor;
+}
+
+
+//- Call f(entry, factor, cells) for the cellSets of a dictionary
+template<class F>
+void forCellSets(const polyMesh& mesh, const dictionary& dict, const F& f)
+{
+    const dictionary sets(subDictOrEmpty(dict, "cellSets"));
+    if (sets.empty()) return;
+    const IOobjectList found
+    (
+        mesh, mesh.facesInstance(),
+        polyMesh::meshSubDir/"sets"
+    );
+    for (const entry& set : sets)
+    {
+        if (!returnReduce(found.cfindObject<cellSet>(set.keyword()) != nullptr, orOp<bool>()))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Region " << mesh.name() << " has no cellSet '" << set.keyword()
+                << "'. Its cellSets are " << found.sortedNames<cellSet>() << exit(FatalIOError);
+        }
+        f(readFactor(set, "cellSet", "cellSets", dict), cellSet(mesh, set.keyword()).sortedToc());
+    }
 }
 
 } // End anonymous namespace
@@ -85,10 +121,12 @@ scalar readFactor(const entry& zone, const dictionary& dict)
 Foam::autoPtr<Foam::meshStiffness> Foam::meshStiffness::New
 (
     const feMesh& fe,
-    const dictionary& dict
+    const motionWalls& walls,
+    const dictionary& dict,
+    const wordList& furtherEntries
 )
 {
-    const word type(dict.lookupOrDefault<word>("stiffness", "inverseVolume"));
+    const word type(dict.lookupOrDefault<word>("stiffness", "auto"));
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
     if (!cstrIter.found())
     {
@@ -97,27 +135,24 @@ Foam::autoPtr<Foam::meshStiffness> Foam::meshStiffness::New
             dict, "stiffness", type, *dictionaryConstructorTablePtr_
         ) << exit(FatalIOError);
     }
-    autoPtr<meshStiffness> stiffness(cstrIter()(fe, dict));
+    autoPtr<meshStiffness> stiffness(cstrIter()(fe, walls, dict));
+    stiffness->fe_ = &fe;
+    stiffness->readFactors(fe, dict);
 
-    wordList entries({"motionSolver", "stiffness", "zones"});
+    wordList entries({"motionSolver", "stiffness", "zones", "cellSets"});
     entries.append(stiffness->entries());
+    entries.append(furtherEntries);
     reportUnknownEntries(dict, entries);
     return stiffness;
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::List<Foam::scalarField> Foam::meshStiffness::elements
-(
-    const feMesh& fe,
-    const dictionary& dict
-)
+void Foam::meshStiffness::readFactors(const feMesh& fe, const dictionary& dict)
 {
-    const autoPtr<meshStiffness> stiffness = New(fe, dict);
     const polyMesh& mesh = fe.mesh();
-
-    scalarField factor(mesh.nCells(), 1);
+    factor_ = scalarField(mesh.nCells(), 1);
     const dictionary zones(subDictOrEmpty(dict, "zones"));
     for (const entry& zone : zones)
     {
@@ -129,20 +164,29 @@ Foam::List<Foam::scalarField> Foam::meshStiffness::elements
                 << zone.keyword() << "'. Its cellZones are "
                 << mesh.cellZones().names() << exit(FatalIOError);
         }
-        const scalar zoneFactor = readFactor(zone, dict);
-        for (const label celli : mesh.cellZones()[zonei]) factor[celli] = zoneFactor;
+        const scalar zoneFactor = readFactor(zone, "cellZone", "zones", dict);
+        for (const label celli : mesh.cellZones()[zonei]) factor_[celli] *= zoneFactor;
     }
+    forCellSets(mesh, dict, [&](const scalar setFactor, const labelList& cells)
+    {
+        for (const label celli : cells) factor_[celli] *= setFactor;
+    });
+}
 
-    List<List<elementGeometry>> geometries(fe.blocks().size());
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::List<Foam::scalarField> Foam::meshStiffness::elements(const vectorField& x) const
+{
+    List<List<elementGeometry>> geometries(fe_->blocks().size());
     scalar volume = 0;
     label n = 0;
-    forAll(fe.blocks(), b)
+    forAll(geometries, b)
     {
-        const elementBlock& block = fe.blocks()[b];
-        geometries[b].setSize(block.size());
+        geometries[b].setSize(fe_->blocks()[b].size());
         forAll(geometries[b], e)
         {
-            geometries[b][e] = geometry(fe, block, e);
+            geometries[b][e] = geometry(*fe_, b, e, x);
             volume += geometries[b][e].volume;
             ++n;
         }
@@ -150,7 +194,7 @@ Foam::List<Foam::scalarField> Foam::meshStiffness::elements
     reduce(volume, sumOp<scalar>());
     reduce(n, sumOp<label>());
 
-    List<scalarField> kappa(fe.blocks().size());
+    List<scalarField> kappa(geometries.size());
     forAll(kappa, b)
     {
         kappa[b].setSize(geometries[b].size());
@@ -158,7 +202,10 @@ Foam::List<Foam::scalarField> Foam::meshStiffness::elements
         {
             elementGeometry& g = geometries[b][e];
             g.meanVolume = volume/n;
-            kappa[b][e] = factor[fe.blocks()[b].cells[e]]*(*stiffness)(g);
+
+            // An element that is inverted for now is a very small one
+            g.volume = max(g.volume, 1e-6*g.meanVolume);
+            kappa[b][e] = factor_[fe_->blocks()[b].cells[e]]*(*this)(g);
         }
     }
     return kappa;
@@ -176,7 +223,7 @@ class uniform : public meshStiffness
 {
 public:
     TypeName("uniform");
-    uniform(const feMesh&, const dictionary&) {}
+    uniform(const feMesh&, const motionWalls&, const dictionary&) {}
     wordList entries() const { return {}; }
     scalar operator()(const elementGeometry&) const { return 1; }
 };
@@ -189,7 +236,7 @@ class inverseVolume : public meshStiffness
 public:
 
     TypeName("inverseVolume");
-    inverseVolume(const feMesh&, const dictionary& dict)
+    inverseVolume(const feMesh&, const motionWalls&, const dictionary& dict)
     :
         exponent_(readExponent(dict))
     {}
@@ -208,7 +255,7 @@ class distortion : public meshStiffness
 public:
 
     TypeName("distortion");
-    distortion(const feMesh& fe, const dictionary& dict)
+    distortion(const feMesh& fe, const motionWalls&, const dictionary& dict)
     :
         exponent_(readExponent(dict)),
         dim_(fe.dim())
@@ -232,7 +279,7 @@ class inverseDistance : public meshStiffness
 public:
 
     TypeName("inverseDistance");
-    inverseDistance(const feMesh& fe, const dictionary& dict)
+    inverseDistance(const feMesh& fe, const motionWalls&, const dictionary& dict)
     :
         exponent_(readExponent(dict)),
         dim_(fe.dim())
@@ -261,6 +308,28 @@ public:
 };
 
 
+class product : public meshStiffness
+{
+    PtrList<meshStiffness> factors_;
+
+public:
+
+    TypeName("product");
+    product(const feMesh& fe, const motionWalls& walls, const dictionary& dict)
+    {
+        const PtrList<dictionary> dicts(dict.lookup("factors"));
+        for (const dictionary& factor : dicts) factors_.append(New(fe, walls, factor, {}).ptr());
+    }
+    wordList entries() const { return {"factors"}; }
+    scalar operator()(const elementGeometry& g) const
+    {
+        scalar p = 1;
+        for (const meshStiffness& factor : factors_) p *= factor(g);
+        return p;
+    }
+};
+
+
 #define makeMeshStiffness(Type)                                                \
     defineTypeNameAndDebug(Type, 0);                                           \
     addToRunTimeSelectionTable(meshStiffness, Type, dictionary)
@@ -269,6 +338,7 @@ makeMeshStiffness(uniform);
 makeMeshStiffness(inverseVolume);
 makeMeshStiffness(distortion);
 makeMeshStiffness(inverseDistance);
+makeMeshStiffness(product);
 
 } // End namespace meshStiffnesses
 } // End namespace Foam

@@ -13,8 +13,9 @@ Description
 #include "shapeMesh.H"
 #include "runOnRanks.H"
 #include "feMesh.H"
-#include "laplaceMotion.H"
+#include "meshMotion.H"
 #include "meshStiffness.H"
+#include "elementQuality.H"
 #include "IStringStream.H"
 #include "mathematicalConstants.H"
 
@@ -41,7 +42,7 @@ struct motionCase
 {
     shapeMesh box;
     feMesh fe;
-    autoPtr<laplaceMotion> motion;
+    mutable autoPtr<meshMotion> motion;
 
     motionCase
     (
@@ -53,7 +54,17 @@ struct motionCase
         box(cell, {4, 3, plane ? 1 : 2}, map, both(types, plane)),
         fe(box.mesh(), order, dictionary())
     {
-        motion.reset(new laplaceMotion(fe, nullptr, labelList(), entries(dict), entries("type MUMPS;")));
+        motion = meshMotion::New(fe, nullptr, labelList(), coeffs(dict), entries("type MUMPS;"));
+    }
+
+    //- A dynamicMeshDict: of feLaplacian if it names no motionSolver
+    static dictionary coeffs(const string& dict)
+    {
+        dictionary all, coeffs(entries(dict));
+        const word type(coeffs.getOrDefault<word>("motionSolver", "feLaplacian"));
+        all.add("motionSolver", type);
+        all.add(word(type + "Coeffs"), coeffs);
+        return all;
     }
 
     static HashTable<word> both(HashTable<word> types, const bool plane)
@@ -79,6 +90,18 @@ struct motionCase
         return u;
     }
 
+    //- Steps in which the boundary has the values of a function
+    template<class F>
+    void steps(const label n, const F& f, vectorField& u) const
+    {
+        for (label k = 0; k < n; ++k)
+        {
+            motion->adapt(u);
+            forAll(u, i) if (motion->given(i)) u[i] = inPlane(f(fe.points()[i]));
+            ASSERT_TRUE(motion->extend(u));
+        }
+    }
+
     label nGiven() const
     {
         label n = 0;
@@ -102,6 +125,26 @@ void forMeshes(const string& dict, const F& f)
     test("pyr", 1, false);
 }
 
+//- Call f(dictionary) for all operators in all configurations that they have
+template<class F>
+void forOperators(const F& f)
+{
+    for (const word& type : meshMotion::dictionaryConstructorTablePtr_->sortedToc())
+    {
+        const string solver("motionSolver " + type + "; stiffness uniform; ");
+        SCOPED_TRACE(type);
+        f(solver + (type == "feElasticity" ? "model linear; poissonRatio 0.2;" : ""));
+        f(solver + (type == "feElasticity" ? "model linear;" : "") + "configuration incremental;");
+        if (type == "feElasticity") f(solver + "model neoHookean; poissonRatio 0.2;");
+    }
+}
+
+//- Stiffness of the elements as a dictionary says
+List<scalarField> stiffness(const feMesh& fe, const string& dict, const motionWalls& walls = motionWalls())
+{
+    return meshStiffness::New(fe, walls, entries(dict), {})->elements(fe.points());
+}
+
 template<class F>
 std::string complaint(const F& f)
 {
@@ -118,15 +161,94 @@ std::string complaint(const F& f)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(laplaceMotion, reproducesLinearDisplacements)
+//- A homogeneous deformation is in equilibrium with uniform stiffness
+TEST(meshMotion, reproducesLinearDisplacements)
 {
-    forMeshes("stiffness uniform;", [](const motionCase& c)
+    forOperators([](const string& dict)
     {
-        const auto linear = [&](const point& x) { return c.inPlane(vector(1, 2, 3) + (gradient & x)); };
-        EXPECT_LT(c.nGiven(), c.fe.nNodes());
-        const vectorField u(c.extend(linear));
-        forAll(u, n) EXPECT_LT(mag(u[n] - linear(c.fe.points()[n])), 1e-12);
+        forMeshes(dict, [](const motionCase& c)
+        {
+            const auto linear = [&](const point& x) { return c.inPlane(vector(1, 2, 3) + (gradient & x)); };
+            EXPECT_LT(c.nGiven(), c.fe.nNodes());
+            vectorField u(c.fe.nNodes(), Zero);
+            c.steps(8, linear, u);
+            forAll(u, n) EXPECT_LT(mag(u[n] - linear(c.fe.points()[n])), 1e-11);
+        });
     });
+}
+
+
+//- Within a step the increments are the exact derivative
+TEST(meshMotion, incrementsAreTheTangent)
+{
+    forOperators([](const string& dict)
+    {
+        const motionCase c("hex", 2, true, dict);
+        const auto bent = [](const point& x) { return vector(0.1*sqr(x.y()), -0.1*x.x()*x.y(), 0); };
+        const auto further = [](const point& x) { return vector(x.y(), sqr(x.x()), 0); };
+        vectorField u(c.fe.nNodes(), Zero);
+        c.steps(2, bent, u);
+        c.motion->adapt(u);
+        vectorField one(u), two(u), du(u.size(), Zero);
+        forAll(u, n) if (c.motion->given(n))
+        {
+            du[n] = further(c.fe.points()[n]);
+            two[n] += 0.01*du[n];
+        }
+        c.motion->extend(one);
+        c.motion->extend(two);
+        c.motion->extendIncrement(du);
+        forAll(u, n) EXPECT_LT(mag(two[n] - one[n] - 0.01*du[n]), 1e-13);
+    });
+}
+
+
+//- A boundary that returns brings all nodes back, but for the incremental
+//  configuration
+TEST(meshMotion, aClosedCycleReturns)
+{
+    forOperators([](const string& dict)
+    {
+        const motionCase c("hex", 1, true, dict + "update no;");
+        vectorField u(c.fe.nNodes(), Zero);
+        for (label step = 0; step <= 12; ++step)
+        {
+            const scalar a = constant::mathematical::pi*step/6;
+            const auto at = [&](const point& x)
+            {
+                return 0.2*vector(::sin(a)*sqr(x.y()), (1 - ::cos(a))*sqr(x.x())*x.y(), 0);
+            };
+            c.steps(step == 12 ? 6 : 1, at, u);
+        }
+        scalar drift = 0;
+        forAll(u, n) drift = max(drift, mag(u[n]));
+        if (dict.find("incremental") == std::string::npos) EXPECT_LT(drift, 1e-10);
+        else EXPECT_GT(drift, 1e-5);
+    });
+}
+
+
+//- The neo-Hookean mesh is kept where a Laplacian inverts elements: a side moves
+//  across 0.9 of the box
+TEST(meshMotion, neoHookeanGoesFurther)
+{
+    const auto largest = [](const string& dict)
+    {
+        const motionCase c("hex", 1, true, dict, [](const point& p) { return p; });
+        const label left = c.box.mesh->boundaryMesh().findPatchID("left");
+        labelHashSet moved(c.fe.patchNodes(left));
+        vectorField u(c.fe.nNodes(), Zero);
+        for (label step = 1; step <= 50; ++step)
+        {
+            c.motion->adapt(u);
+            for (const label n : moved) u[n].x() = 0.018*step*c.fe.points()[n].y()*(1 - c.fe.points()[n].y())*4;
+            c.motion->extend(u);
+            if (forecast(c.fe, c.fe.points() + u, vectorField()).steps <= 0) return step;
+        }
+        return label(51);
+    };
+    EXPECT_LE(largest("stiffness inverseDistance; patches (left); exponent 1.5;"), 40);
+    EXPECT_EQ(largest("motionSolver feElasticity;"), 51);
 }
 
 
@@ -137,16 +259,18 @@ TEST(laplaceMotion, everyStiffnessKeepsTranslations)
     for (const word& type : meshStiffness::dictionaryConstructorTablePtr_->sortedToc())
     {
         SCOPED_TRACE(type);
-        forMeshes("stiffness " + type + "; exponent 1.5; patches (left);", [&](const motionCase& c)
+        const string all
+        (
+            "stiffness " + type + "; exponent 1.5; patches (left);"
+            " factors ({ stiffness distortion; } { stiffness inverseVolume; exponent 2; });"
+        );
+        forMeshes(all, [&](const motionCase& c)
         {
             const vector v = c.inPlane(vector(0.3, -2, 0.7));
             const vectorField u(c.extend([&](const point&) { return v; }));
             forAll(u, n) EXPECT_LT(mag(u[n] - v), 1e-12);
 
-            const List<scalarField> kappa = meshStiffness::elements
-            (
-                c.fe, entries("stiffness " + type + "; exponent 1.5; patches (left);")
-            );
+            const List<scalarField> kappa = stiffness(c.fe, all);
             label nElements = 0;
             for (const scalarField& k : kappa)
             {
@@ -230,13 +354,18 @@ TEST(meshStiffness, isOfTheMeasureItSays)
     const feMesh fe(box.mesh(), 1, dictionary());
     const auto ratio = [&](const string& dict)
     {
-        const scalarField k(meshStiffness::elements(fe, entries(dict))[0]);
+        const scalarField k(stiffness(fe, dict)[0]);
         return k[0]/k[1];
     };
     EXPECT_NEAR(ratio("stiffness uniform;"), 1, 1e-14);
     EXPECT_NEAR(ratio("stiffness inverseVolume;"), 2, 1e-12);
     EXPECT_NEAR(ratio("stiffness inverseVolume; exponent 2;"), 4, 1e-12);
-    EXPECT_NEAR(ratio(""), 2, 1e-12);
+    EXPECT_NEAR(ratio(""), 1, 1e-12);
+    EXPECT_NEAR
+    (
+        ratio("stiffness product; factors ({ stiffness inverseVolume; } { stiffness inverseVolume; exponent 2; });"),
+        8, 1e-11
+    );
 
     // Centres (0.25 0.5) and (1 0.5), the patch's nodes (0 0) and (0 1)
     EXPECT_NEAR(ratio("stiffness inverseDistance; patches (left);"), 2, 1e-12);
@@ -247,18 +376,60 @@ TEST(meshStiffness, isOfTheMeasureItSays)
 }
 
 
+//- In a channel that widens threefold the amplitude of kappa = |grad phi|^2 falls
+//  as width^(-1/3), kappa as width^(-2/3)
+TEST(meshStiffness, autoSpreadsTheMotion)
+{
+    const auto widening = [](const point& p) { return point(p.x(), (p.y() - 0.5)*0.02*(1 + 2*p.x()), p.z()); };
+    for (const char* cell : {"hex", "prism"})
+    {
+        const shapeMesh box(cell, {40, 2, 1}, widening, shapeMesh::twoD());
+        const feMesh fe(box.mesh(), 1, dictionary());
+        const auto nodes = [&](const word& patch) { return fe.patchNodes(box.mesh->boundaryMesh().findPatchID(patch)); };
+        const scalarField k(stiffness(fe, "stiffness auto;", {nodes("left"), nodes("right"), entries("type MUMPS;")})[0]);
+        EXPECT_NEAR(max(k)/min(k), Foam::pow(3.0, 2.0/3), 0.1);
+    }
+}
+
+
+//- The measures of elements that have moved
+TEST(meshStiffness, ofMovedElements)
+{
+    const shapeMesh box("hex", {2, 1, 1}, [](const point& p) { return p; }, shapeMesh::twoD());
+    const feMesh fe(box.mesh(), 1, dictionary());
+    vectorField x(fe.points());
+    for (vector& p : x) if (mag(p.x() - 0.5) < SMALL) p.x() = 0.2;
+    const autoPtr<meshStiffness> s(meshStiffness::New(fe, motionWalls(), entries("stiffness inverseVolume;"), {}));
+    const scalarField k(s->elements(x)[0]);
+    EXPECT_NEAR(k[0]/k[1], 4, 1e-12);
+}
+
+
+TEST(meshMotion, complains)
+{
+    const auto of = [](const string& dict) { return complaint([&]() { motionCase("hex", 1, true, dict); }); };
+    const string elastic("motionSolver feElasticity; ");
+    EXPECT_NE(of("configuration updated;").find("incremental"), std::string::npos) << of("configuration updated;");
+    EXPECT_NE(of(elastic + "model rubber;").find("neoHookean"), std::string::npos);
+    EXPECT_NE(of(elastic + "poissonRatio 0.5;").find("from 0 to less than 0.5"), std::string::npos);
+    EXPECT_NE(of(elastic + "configuration incremental;").find("is for model linear"), std::string::npos);
+    EXPECT_NE(of("motionSolver displacementLaplacian;").find("feElasticity"), std::string::npos);
+    EXPECT_NE(of("stiffness product; factors ({ stiffness soft; });").find("inverseDistance"), std::string::npos);
+}
+
+
 TEST(meshStiffness, complains)
 {
     const shapeMesh box("hex", {2, 1, 1}, distorted, shapeMesh::twoD());
     const feMesh fe(box.mesh(), 1, dictionary());
     const auto of = [&](const string& dict)
     {
-        return complaint([&]() { meshStiffness::elements(fe, entries(dict)); });
+        return complaint([&]() { stiffness(fe, dict); });
     };
     EXPECT_NE(of("stiffness soft;").find("inverseDistance"), std::string::npos) << of("stiffness soft;");
     EXPECT_NE(of("zones { near 3; }").find("no cellZone 'near'"), std::string::npos);
     EXPECT_NE(of("stiffness inverseDistance; patches (flag);").find("no patch 'flag'"), std::string::npos);
-    EXPECT_NE(of("exponent 1e3;").find("from 0 to 10"), std::string::npos);
+    EXPECT_NE(of("stiffness inverseVolume; exponent 1e3;").find("from 0 to 10"), std::string::npos);
 }
 
 
@@ -272,14 +443,14 @@ TEST(meshStiffness, factorsOfZones)
         List<cellZone*>(1, new cellZone("near", labelList(1, 0), 0, mesh.cellZones()))
     );
     const feMesh fe(mesh, 1, dictionary());
-    const scalarField k(meshStiffness::elements(fe, entries("stiffness uniform; zones { near 3; }"))[0]);
+    const scalarField k(stiffness(fe, "stiffness uniform; zones { near 3; }")[0]);
     EXPECT_EQ(k[0], 3);
     EXPECT_EQ(k[1], 1);
 
     for (const string factor : {"0", "-2", "{}"})
     {
         const string dict("zones { near " + factor + (factor == "{}" ? "" : ";") + " }");
-        const std::string message(complaint([&]() { meshStiffness::elements(fe, entries(dict)); }));
+        const std::string message(complaint([&]() { stiffness(fe, dict); }));
         EXPECT_NE(message.find("cellZone near under zones is no number > 0"), std::string::npos) << message;
     }
 }
