@@ -284,7 +284,7 @@ void Foam::nodalBoundary::check
             << " nodalProfile, ...), slip, fixedNormalSlip, fixedComponents,"
             << " symmetry, symmetryPlane, wedge, cyclic, empty; for free boundaries"
             << " calculated, zeroGradient, and the loads openBoundary, traction,"
-            << " followerPressure" << exit(FatalError);
+            << " followerPressure, springs" << exit(FatalError);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "solidLoads.H"
 #include "feValues.H"
+#include "surfaceSupport.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -116,6 +117,47 @@ void Foam::solidLoads::addPressure
 }
 
 
+template<class F>
+void Foam::solidLoads::addSprings
+(
+    const elementBlock& block,
+    const vectorField& s,
+    const symmTensor& dsdu,
+    vectorField& force,
+    feMatrix* K
+) const
+{
+    faceValues<double, F> face;
+    constexpr int dim = F::dim + 1, nN = F::nNodes;
+    Vec<double, dim> X[nN];
+
+    for (label e = 0; e < block.size(); ++e)
+    {
+        const label* n = block.element(e);
+        gatherElement<dim>(fe_, block, e, fe_.points(), X);
+        for (int q = 0; q < face.nQ; ++q)
+        {
+            face.reinit(X, q);
+            const scalar dA = ::sqrt(face.ndA & face.ndA);
+            vector sq = Zero;
+            for (int i = 0; i < nN; ++i) sq += face.N[i]*s[n[i]];
+            for (int i = 0; i < nN; ++i) force[n[i]] += (face.N[i]*dA)*sq;
+            if (!K) continue;
+
+            for (int i = 0; i < nN; ++i) for (int j = 0; j < nN; ++j)
+            {
+                const symmTensor k((face.N[i]*face.N[j]*dA)*dsdu);
+                const label row = unknowns_.start(0, n[i]), col = unknowns_.start(0, n[j]);
+                for (int a = 0; a < dim; ++a) for (int b = 0; b < dim; ++b)
+                {
+                    K->add(row + a, col + b, tensor(k)(fe_.axis(a), fe_.axis(b)));
+                }
+            }
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::solidLoads::addSurface
@@ -140,6 +182,35 @@ void Foam::solidLoads::addSurface
                 if (F::dim + 1 != fe_.dim()) return;
                 addTraction<F>(block, *load, t, force);
                 addPressure<F>(block, stage, *load, t, force, K);
+            });
+        }
+    }
+}
+
+
+void Foam::solidLoads::addSupports
+(
+    const pointVectorField& pointD,
+    const solidStage& stage,
+    const vectorField& v,
+    const scalar dvdu,
+    vectorField& force,
+    feMatrix* K
+) const
+{
+    forAll(pointD.boundaryField(), patchi)
+    {
+        const auto* support = dynamic_cast<const surfaceSupport*>(&pointD.boundaryField()[patchi]);
+        if (!support) continue;
+        const symmTensor &k = support->stiffness(), &c = support->damping();
+        const vectorField s((k & stage.D) + (c & v));
+        for (const elementBlock& block : fe_.patchBlocks(patchi))
+        {
+            withFaceElement(block, [&](auto tag)
+            {
+                typedef decltype(tag) F;
+                if (F::dim + 1 != fe_.dim()) return;
+                addSprings<F>(block, s, symmTensor(k*stage.dDdu + c*dvdu), force, K);
             });
         }
     }

@@ -80,6 +80,9 @@ TEST(nonlinearSolid, tangentHasFollowerPressureAndTimeScheme)
         SCOPED_TRACE(elements);
         solidCase c;
         cube(c);
+        c.pointD +=
+            "free { type springs; value uniform (0 0 0); springs"
+            " { n { direction (1 2 3); stiffness 30; damping 4; } all { damping 2; } } }";
         c.elements = elements;
         c.timeScheme = "type generalisedAlpha; rhoInf 0.5;";
         c.make();
@@ -104,6 +107,56 @@ TEST(nonlinearSolid, tangentHasFollowerPressureAndTimeScheme)
             K*Eigen::Map<Eigen::VectorXd>(dx.data(), dx.size());
         forAll(dR, u) if (dR[u] == 0) KdX[u] = 0;
         EXPECT_LT(::sqrt(sumSqr(dR - KdX)), 1e-6*::sqrt(sumSqr(KdX)));
+    }
+}
+
+
+//- A block on springs of a foundation, under a traction: rigid beside them, it
+//  gives way by the traction over the springs' stiffness
+TEST(nonlinearSolid, restsOnSprings)
+{
+    solidCase c;
+    c.blockMesh =
+        "vertices ((0 0 0) (1 0 0) (1 1 0) (0 1 0) (0 0 1) (1 0 1) (1 1 1) (0 1 1));"
+        "blocks (hex (0 1 2 3 4 5 6 7) (2 2 2) simpleGrading (1 1 1)); boundary ("
+        "foot { type patch; faces ((0 1 5 4)); } top { type patch; faces ((3 2 6 7)); });"
+        "defaultPatch { name free; type patch; }";
+    c.materials = "rigid { type StVenantKirchhoff; rho 1; E 1e9; nu 0; }";
+    c.pointD =
+        "foot { type springs; springs { a { direction (0 2 0); stiffness 100; } b { stiffness 50; } }"
+        " value uniform (0 0 0); } free { type calculated; value uniform (0 0 0); }"
+        "top { type traction; traction constant (0 -3 0); value uniform (0 0 0); }";
+    for (const char* elements : {"linear", "quadratic"})
+    {
+        solidCase again;
+        again.blockMesh = c.blockMesh;
+        again.materials = c.materials;
+        again.pointD = c.pointD;
+        again.elements = elements;
+        again.make();
+        again.next();
+        EXPECT_GT(again.solve(), 0);
+        for (const vector& D : again.solid->motion().D) EXPECT_LT(mag(D - vector(0, -0.02, 0)), 1e-7);
+    }
+}
+
+
+TEST(nonlinearSolid, springsAreComplainedAbout)
+{
+    struct { const char* springs; const char* message; } cases[] =
+    {
+        {"springs { }", "No spring in springs"},
+        {"springs { a 1; }", "is no dictionary, expected"},
+        {"springs { a { } }", "one that is positive"},
+        {"springs { a { stiffness -1; damping 2; } }", "not negative"},
+        {"springs { a { direction (0 0 0); stiffness 1; } }", "a vector that is not nil"},
+    };
+    for (const auto& wrong : cases)
+    {
+        solidCase c;
+        cube(c);
+        c.pointD = "\".*\" { type springs; value uniform (0 0 0); " + std::string(wrong.springs) + " }";
+        expectComplaint(c, wrong.message);
     }
 }
 
