@@ -110,7 +110,7 @@ Foam::feInterface::feInterface
     fluidPatches_(patches(dict.subDict("fluid"), fluid_)),
     solidPatches_(patches(dict.subDict("solid"), solid_))
 {
-    for (const word& side : {"fluid", "solid"})
+    for (const word side : {"fluid", "solid"})
     {
         reportUnknownEntries(dict.subDict(side), {"region", "patch", "patches"});
     }

@@ -22,7 +22,7 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::springsLoad::springsLoad(const dictionary& dict)
+Foam::springsLoad::springsLoad(const dictionary& dict, const Time&)
 :
     springs_(dict.subDict("springs")),
     stiffness_(Zero),
