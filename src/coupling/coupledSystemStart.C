@@ -85,19 +85,18 @@ static word differing
 
 bool Foam::coupledSystem::solveRates(const scalar deltaT, startRates& rates)
 {
-    const moment start(now());
+    store();
     const dictionary Euler(IStringStream("type Euler;")());
     PtrList<autoPtr<feTimeScheme>> schemes;
     for (feRegion& region : regions_)
     {
-        region.state().shift();
         schemes.append(new autoPtr<feTimeScheme>(feTimeScheme::New(Euler)));
         region.exchange(schemes.last());
     }
 
     // Values that are given go on from those of the start
     runTime_.setDeltaT(deltaT, false);
-    runTime_.setTime(start.time + deltaT, start.index);
+    runTime_.setTime(kept_.at.time + deltaT, kept_.at.index);
     const bool ok = step();
 
     rates.scalars.setSize(regions_.size());
@@ -111,7 +110,7 @@ bool Foam::coupledSystem::solveRates(const scalar deltaT, startRates& rates)
             keepRates(part.vectors(), rates.vectors[r]);
         }
     }
-    set(start);
+    restore();
     return ok;
 }
 
@@ -133,10 +132,7 @@ void Foam::coupledSystem::startConsistently()
         if (!what.empty()) what = regions_[r].name() + '.' + what;
     }
 
-    // Nothing that was made for these steps serves the others
-    tangent_->drop();
-    factorsAt_.reset();
-    times_ = systemTimes();
+    times_ = systemTimes();   // of the steps to come
     if (!ok || !what.empty())
     {
         WarningInFunction
