@@ -59,7 +59,7 @@ void Foam::aleFluid::assemble(scalarField& R, feMatrix* K)
     minDetJ_ = assembly_->assemble(k_, stage_, force_, continuity_, K ? &to : nullptr);
 
     loads_->addSurface(k_.rho, ts.alphaF(), stageTime(), stage_, unknowns(), force_, K);
-    if (source) loads_->addVolume(source, stageTime(), stage_, force_);
+    if (source) addVolumeLoad(fe(), stage_.x, source, stageTime(), force_);
 
     unknowns().add(VELOCITY, force_, R);
     unknowns().add(PRESSURE, continuity_, R);

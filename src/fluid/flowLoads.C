@@ -212,41 +212,4 @@ void Foam::flowLoads::addSurface
 }
 
 
-void Foam::flowLoads::addVolume
-(
-    const density& f,
-    const scalar t,
-    const flowFields& stage,
-    vectorField& force
-) const
-{
-    for (const elementBlock& block : fe_.blocks())
-    {
-        withElement(block, [&](auto tag)
-        {
-            typedef decltype(tag) E;
-            if (E::dim != fe_.dim()) return;
-            feValues<double, E> w;
-            Vec<double, E::dim> x[E::nNodes];
-            for (label e = 0; e < block.size(); ++e)
-            {
-                const label* n = block.element(e);
-                for (int i = 0; i < E::nNodes; ++i) for (int a = 0; a < E::dim; ++a)
-                {
-                    x[i][a] = stage.x[n[i]][fe_.axis(a)];
-                }
-                for (int q = 0; q < w.nQ; ++q)
-                {
-                    w.reinit(x, q);
-                    point X = Zero;
-                    for (int i = 0; i < E::nNodes; ++i) X += w.N[i]*stage.x[n[i]];
-                    const vector fV = f(X, t)*w.dV;
-                    for (int i = 0; i < E::nNodes; ++i) force[n[i]] -= w.N[i]*fV;
-                }
-            }
-        });
-    }
-}
-
-
 // ************************************************************************* //

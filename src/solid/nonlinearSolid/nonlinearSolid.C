@@ -193,7 +193,7 @@ void Foam::nonlinearSolid::assemble(scalarField& R, feMatrix* K)
     const solidLoads loads(unknowns());
     loads.addSurface(pointD_(), stage_(), stageTime(), force_, K);
     loads.addSupports(pointD_(), stage_(), stageVelocity_, timeScheme().velocityByUnknown(), force_, K);
-    if (source) loads.addVolume(source, stageTime(), force_);
+    if (source) addVolumeLoad(fe(), fe().points(), source, stageTime(), force_);
 
     unknowns().add(DISPLACEMENT, force_, R);
     if (elements_.mixed) unknowns().add(PRESSURE, volume_, R);

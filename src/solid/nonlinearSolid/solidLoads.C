@@ -158,6 +158,24 @@ void Foam::solidLoads::addSprings
 }
 
 
+template<class Condition, class F>
+void Foam::solidLoads::forFaces(const pointVectorField& pointD, const F& f) const
+{
+    forAll(pointD.boundaryField(), patchi)
+    {
+        const auto* condition = dynamic_cast<const Condition*>(&pointD.boundaryField()[patchi]);
+        if (!condition) continue;
+        for (const elementBlock& block : fe_.patchBlocks(patchi))
+        {
+            withFaceElement(block, [&](auto face)
+            {
+                if (face.dim + 1 == fe_.dim()) f(*condition, block, face);
+            });
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::solidLoads::addSurface
@@ -169,22 +187,11 @@ void Foam::solidLoads::addSurface
     feMatrix* K
 ) const
 {
-    forAll(pointD.boundaryField(), patchi)
+    forFaces<surfaceLoad>(pointD, [&](const surfaceLoad& load, const elementBlock& block, auto face)
     {
-        const auto* load = dynamic_cast<const surfaceLoad*>(&pointD.boundaryField()[patchi]);
-        if (!load) continue;
-
-        for (const elementBlock& block : fe_.patchBlocks(patchi))
-        {
-            withFaceElement(block, [&](auto tag)
-            {
-                typedef decltype(tag) F;
-                if (F::dim + 1 != fe_.dim()) return;
-                addTraction<F>(block, *load, t, force);
-                addPressure<F>(block, stage, *load, t, force, K);
-            });
-        }
-    }
+        addTraction<decltype(face)>(block, load, t, force);
+        addPressure<decltype(face)>(block, stage, load, t, force, K);
+    });
 }
 
 
@@ -198,54 +205,12 @@ void Foam::solidLoads::addSupports
     feMatrix* K
 ) const
 {
-    forAll(pointD.boundaryField(), patchi)
+    forFaces<surfaceSupport>(pointD, [&](const surfaceSupport& support, const elementBlock& block, auto face)
     {
-        const auto* support = dynamic_cast<const surfaceSupport*>(&pointD.boundaryField()[patchi]);
-        if (!support) continue;
-        const symmTensor &k = support->stiffness(), &c = support->damping();
+        const symmTensor &k = support.stiffness(), &c = support.damping();
         const vectorField s((k & stage.D) + (c & v));
-        for (const elementBlock& block : fe_.patchBlocks(patchi))
-        {
-            withFaceElement(block, [&](auto tag)
-            {
-                typedef decltype(tag) F;
-                if (F::dim + 1 != fe_.dim()) return;
-                addSprings<F>(block, s, symmTensor(k*stage.dDdu + c*dvdu), force, K);
-            });
-        }
-    }
-}
-
-
-void Foam::solidLoads::addVolume
-(
-    const density& f,
-    const scalar t,
-    vectorField& force
-) const
-{
-    for (const elementBlock& block : fe_.blocks())
-    {
-        withElement(block, [&](auto tag)
-        {
-            typedef decltype(tag) E;
-            if (E::dim != fe_.dim()) return;
-            feValues<double, E> w;
-            Vec<double, E::dim> X[E::nNodes];
-
-            for (label e = 0; e < block.size(); ++e)
-            {
-                const label* n = block.element(e);
-                gatherElement<E::dim>(fe_, block, e, fe_.points(), X);
-                for (int q = 0; q < w.nQ; ++q)
-                {
-                    w.reinit(X, q);
-                    const vector fV = f(position(fe_, block, e, w.N), t)*w.dV;
-                    for (int i = 0; i < E::nNodes; ++i) force[n[i]] -= w.N[i]*fV;
-                }
-            }
-        });
-    }
+        addSprings<decltype(face)>(block, s, symmTensor(k*stage.dDdu + c*dvdu), force, K);
+    });
 }
 
 
