@@ -7,6 +7,7 @@ Description
     Tests of regionState.
 \*---------------------------------------------------------------------------*/
 
+#include "complaint.H"
 #include "regionState.H"
 #include "IStringStream.H"
 #include "OStringStream.H"
@@ -60,17 +61,6 @@ struct exampleState
     }
 };
 
-
-template<class F>
-std::string complaint(const F& f)
-{
-    const bool throwing = FatalIOError.throwExceptions();
-    std::string message;
-    try { f(); }
-    catch (const Foam::IOerror& error) { message = error.message(); }
-    FatalIOError.throwExceptions(throwing);
-    return message;
-}
 
 } // End anonymous namespace
 

@@ -10,6 +10,7 @@ Description
     Tests of the mesh motion on meshes in memory.
 \*---------------------------------------------------------------------------*/
 
+#include "complaint.H"
 #include "shapeMesh.H"
 #include "runOnRanks.H"
 #include "feMesh.H"
@@ -143,17 +144,6 @@ void forOperators(const F& f)
 List<scalarField> stiffness(const feMesh& fe, const string& dict, const motionWalls& walls = motionWalls())
 {
     return meshStiffness::New(fe, walls, entries(dict), {})->elements(fe.points());
-}
-
-template<class F>
-std::string complaint(const F& f)
-{
-    const bool throwing = FatalIOError.throwExceptions();
-    std::string message;
-    try { f(); }
-    catch (const Foam::IOerror& error) { message = error.message(); }
-    FatalIOError.throwExceptions(throwing);
-    return message;
 }
 
 } // End anonymous namespace
