@@ -100,7 +100,7 @@ Foam::scalar Foam::mixedElementLoopOf<Law>::assemble
             return;
         }
         constexpr bool isQ1 = std::is_same<E, Quad1>::value || std::is_same<E, Hex1>::value;
-        if constexpr (isQ1) detJ = assembleWith<E, constantOn<E>>(block, stage, force, volume, matrix);
+        if constexpr (isQ1) detJ = assembleWith<E, Constant<E>>(block, stage, force, volume, matrix);
     });
     return detJ;
 }
