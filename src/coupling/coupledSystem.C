@@ -126,7 +126,7 @@ void Foam::coupledSystem::readInterfaces()
         {
             if (&i.fluid() == &region) patches.append(i.fluidPatches());
         }
-        if (!patches.empty()) region.setFollowing(patches);
+        if (!patches.empty()) region.follower()->setFollowing(patches);
     }
 }
 

@@ -20,7 +20,7 @@ void Foam::coupledSystem::follow()
     for (feInterface& i : interfaces_) i.follow();
 
     systemTimes::timer timer(times_, systemTimes::MESH_MOTION);
-    for (feRegion& region : regions_) region.followed();
+    for (feRegion& region : regions_) if (region.follower()) region.follower()->followed();
 }
 
 
@@ -28,7 +28,7 @@ void Foam::coupledSystem::followAtStart()
 {
     if (interfaces_.empty()) return;
     for (feInterface& i : interfaces_) i.follow();
-    for (feRegion& region : regions_) region.followedAtStart();
+    for (feRegion& region : regions_) if (region.follower()) region.follower()->followedAtStart();
 }
 
 
@@ -54,11 +54,12 @@ void Foam::coupledSystem::apply(const scalarField& x, scalarField& y)
     bool moves = false;
     for (feRegion& region : regions_)
     {
-        if (!region.hasMotionTangent()) continue;
+        followingMotion* follower = region.follower();
+        if (!follower || !follower->hasTangent()) continue;
         const clockValue start(true);
-        region.extendIncrement(x);
+        follower->extendIncrement(x);
         motionTime += start.elapsed();
-        region.addMotionTangent(y);
+        follower->addTangent(y);
         moves = true;
     }
     times_.move(systemTimes::SOLVE, systemTimes::MESH_MOTION, motionTime);
