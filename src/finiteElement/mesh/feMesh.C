@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "feMesh.H"
+#include "checkBaffles.H"
 #include "feValues.H"
 #include "emptyPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
@@ -17,45 +18,6 @@ namespace Foam
 {
     defineTypeNameAndDebug(feMesh, 0);
 }
-
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-//- Two faces of the boundary on the same points would share its values
-static void checkBaffles(const polyMesh& mesh)
-{
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    HashTable<label, labelList, Hash<labelList>> faceOn;
-    label n = 0, first = -1, second = -1;
-    point where = Zero;
-    for (const polyPatch& pp : patches)
-    {
-        if (pp.coupled() || isA<emptyPolyPatch>(pp)) continue;
-        forAll(pp, i)
-        {
-            labelList points(pp[i]);
-            Foam::sort(points);
-            if (faceOn.insert(points, pp.index())) continue;
-            ++n;
-            first = faceOn[points];
-            second = pp.index();
-            where = pp.faceCentres()[i];
-        }
-    }
-    if (!n) return;
-    FatalErrorInFunction
-        << "Region " << mesh.name() << " has " << n << " pairs of boundary faces on the same"
-        << " points, one on patches " << patches[first].name() << " and " << patches[second].name()
-        << " at " << where << ": a baffle." << nl
-        << "A node there has one value for both sides, so pressure would pass through. Give each"
-        << " side its own points: mergeOrSplitBaffles -region " << mesh.name()
-        << " -split -overwrite" << exit(FatalError);
-}
-
-} // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
