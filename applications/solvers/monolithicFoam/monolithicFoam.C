@@ -18,7 +18,7 @@ Description
 #include "coupledInterfaceReport.H"
 #include "stepControl.H"
 #include "timeError.H"
-#include "exitOnIOError.H"
+#include "exitOnError.H"
 #include "stockFunctionObjects.H"
 
 using namespace Foam;
@@ -54,7 +54,7 @@ int main(int argc, char *argv[])
         "Read and check the case, report its size, and stop"
     );
     #include "setRootCase.H"
-    exitOnIOError();
+    exitOnError();
     Info<< "Create time\n" << endl;
     caseTime runTime(args);
     checkFunctionObjects(runTime);

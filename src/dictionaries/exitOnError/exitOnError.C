@@ -4,7 +4,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "exitOnIOError.H"
+#include "exitOnError.H"
 #include "error.H"
 #include "Pstream.H"
 #include <exception>
@@ -14,6 +14,14 @@
 namespace Foam
 {
 
+template<class Error>
+static void endWith(const Error& e)
+{
+    Perr<< nl << e << nl << "\nFOAM exiting\n" << endl;
+    Pstream::exit(1);
+}
+
+
 static void endRun()
 {
     try
@@ -22,8 +30,11 @@ static void endRun()
     }
     catch (const IOerror& e)
     {
-        Perr<< nl << e << nl << "\nFOAM exiting\n" << endl;
-        Pstream::exit(1);
+        endWith(e);
+    }
+    catch (const error& e)
+    {
+        endWith(e);
     }
     catch (...)
     {}
@@ -35,10 +46,11 @@ static void endRun()
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-void Foam::exitOnIOError()
+void Foam::exitOnError()
 {
     // Nobody catches them: the stack is not unwound, whose destructors would
     // wait for other ranks
+    FatalError.throwExceptions();
     FatalIOError.throwExceptions();
     std::set_terminate(endRun);
 }
