@@ -5,10 +5,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coupledSystem.H"
+#include "meshFiles.H"
 #include "trapsOff.H"
 #include "regionProperties.H"
 #include "unknownEntries.H"
 #include "subDictOrEmpty.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -39,6 +41,13 @@ void Foam::coupledSystem::readRegions()
 
     wordList names;
     forAllConstIters(properties, iter) names.append(iter.val());
+    for (const word& name : names)
+    {
+        if (std::count(names.begin(), names.end(), name) == 1) continue;
+        FatalErrorInFunction
+            << "Region " << name << " is more than once in constant/regionProperties. Regions: "
+            << names << exit(FatalError);
+    }
 
     for (const entry& e : solvers)
     {
@@ -51,7 +60,7 @@ void Foam::coupledSystem::readRegions()
     for (const word& name : names)
     {
         const word type(solvers.get<word>(name));
-        checkMesh(name);
+        checkMeshFiles(runTime_, name);
         meshes_.append
         (
             new fvMesh
@@ -68,33 +77,6 @@ void Foam::coupledSystem::readRegions()
         );
         regions_.last().timeScheme().setDeltaT(runTime_.deltaTValue());
     }
-}
-
-
-void Foam::coupledSystem::checkMesh(const word& region) const
-{
-    if (fileHandler().type() != "uncollated") return;
-    const fileName dir(region/polyMesh::meshSubDir);
-    const word instance(runTime_.findInstance(dir, "faces", IOobject::READ_IF_PRESENT));
-    const bool found =
-        isFile(runTime_.path()/instance/dir/"faces")
-     || isFile(runTime_.path()/runTime_.constant()/dir/"faces");
-    label nMissing = found ? 0 : 1;
-    reduce(nMissing, sumOp<label>());
-    if (!nMissing) return;
-    FatalErrorInFunction
-        << "Region " << region << " has no mesh in " << runTime_.path()/runTime_.constant()/dir;
-    if (Pstream::parRun())
-    {
-        FatalError
-            << ", nor have " << nMissing << " of " << Pstream::nProcs() << " ranks." << nl
-            << "Decompose all regions for this number of ranks: decomposePar -allRegions";
-    }
-    else
-    {
-        FatalError << '.' << nl << "Make it, with blockMesh -region " << region << " say";
-    }
-    FatalError << exit(FatalError);
 }
 
 

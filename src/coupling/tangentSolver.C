@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "tangentSolver.H"
+#include "readNumber.H"
 
 // * * * * * * * * * * * * * * * factorPolicy * * * * * * * * * * * * * * * * //
 
@@ -23,6 +24,24 @@ void Foam::factorPolicy::used(const label n)
     ++uses;
     if (uses > 1 && n > total/uses) has = false;
 }
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Each iteration keeps two vectors
+static label readMaxIter(const dictionary& dict)
+{
+    const scalar n = readNumber(dict, "maxIter", dimless, 0, 1001);
+    if (n == floor(n)) return label(n);
+    FatalIOErrorInFunction(dict)
+        << "maxIter is " << n << ", expected a whole number" << exit(FatalIOError);
+    return 0;
+}
+
+} // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -72,7 +91,7 @@ Foam::tangentSolver::tangentSolver
     constraints_(constraints),
     K_(new feMatrix(map, map, &constraints, scatter)),
     factors_(new feFactors(map, K_(), dict)),
-    gmres_(map, dict.lookupOrDefault<label>("maxIter", 60)),
+    gmres_(map, dict.found("maxIter") ? readMaxIter(dict) : 60),
     nFactorisations_(0),
     nIterations_(-1)
 {}

@@ -7,6 +7,8 @@
 #include "aleFluid.H"
 #include "addToRunTimeSelectionTable.H"
 #include "flowStabilisation.H"
+#include "patchIntegrals.H"
+#include "readNumber.H"
 #include "readTurbulence.H"
 #include "unknownEntries.H"
 
@@ -45,29 +47,20 @@ void Foam::aleFluid::readTransport()
     if (transport_.lookupOrDefault<word>("transportModel", "") == "Newtonian") known.append("transportModel");
     reportUnknownEntries(transport_, known);
 
-    const dimensionedScalar rho("rho", dimDensity, transport_);
-    k_.rho = rho.value();
+    k_.rho = readNumber(transport_, "rho", dimDensity, 0, VGREAT);
     if (transport_.found("mu"))
     {
-        k_.mu = dimensionedScalar("mu", dimDynamicViscosity, transport_).value();
+        k_.mu = readNotNegative(transport_, "mu", dimDynamicViscosity);
         // Stock function objects (forces) look for nu
         transport_.set("nu", dimensionedScalar("nu", dimViscosity, k_.mu/k_.rho));
     }
     else
     {
-        k_.mu = k_.rho*dimensionedScalar("nu", dimViscosity, transport_).value();
+        k_.mu = k_.rho*readNotNegative(transport_, "nu", dimViscosity);
     }
     if (transport_.found("bulkModulus"))
     {
-        const dimensionedScalar B("bulkModulus", dimPressure, transport_);
-        k_.rBulk = 1/B.value();
-    }
-    if (k_.rho <= 0 || k_.mu < 0 || k_.rBulk < 0 || !std::isfinite(k_.rho + k_.mu + k_.rBulk))
-    {
-        FatalIOErrorInFunction(transport_)
-            << "Found rho " << k_.rho << ", mu " << k_.mu << ", 1/bulkModulus "
-            << k_.rBulk << "; expected a positive density and bulk modulus and"
-            << " a viscosity that is not negative" << exit(FatalIOError);
+        k_.rBulk = 1/readNumber(transport_, "bulkModulus", dimPressure, 0, VGREAT);
     }
 
     const Enum<densityLaw> laws({{densityLaw::CONSTANT, "constant"}, {densityLaw::EXPONENTIAL, "exponential"}});
@@ -164,6 +157,27 @@ void Foam::aleFluid::checkPressureReference() const
         }
     }
     if (!incompressible()) fail("the fluid has a bulkModulus");
+}
+
+
+void Foam::aleFluid::checkFluxes(const scalar time) const
+{
+    if (!schemes_.found("pRefPoint")) return;
+    labelList patches;
+    for (const polyPatch& pp : mesh_.boundaryMesh()) if (!pp.coupled()) patches.append(pp.index());
+    const vectorField x(fe().points() + motion_.displacement().D);
+    const patchIntegrals at(fe(), patches, x, v_.v, scalarField(fe().nNodes(), 0));
+
+    // Profiles that are given on meshes of different fineness differ a little
+    if (mag(at.flux) <= 0.01*at.magFlux) return;
+    const scalar in = (at.magFlux - at.flux)/2, out = (at.magFlux + at.flux)/2;
+    FatalErrorInFunction
+        << "Region " << name() << " is closed and its fluid incompressible, but at time " << time
+        << " the velocities on its boundary let in " << in << " and out " << out
+        << (fe().dim() == 2 ? " m2/s, that is " : " m3/s, that is ") << mag(at.flux)
+        << (at.flux > 0 ? " more out than in." : " more in than out.") << nl
+        << "Give velocities that balance, or let the fluid out through an openBoundary (without"
+        << " pRefPoint)" << exit(FatalError);
 }
 
 
@@ -335,6 +349,7 @@ void Foam::aleFluid::predict(const scalar time)
     {
         incompressible() ? q_.setStage(ts, pRefNode_, pRefValue_) : q_.set(ts, pRefNode_, pRefValue_);
     }
+    checkFluxes(time);
     loads_->predict();
     motion_.predict(ts, time);
 }

@@ -36,7 +36,7 @@ void Foam::flowLoads::addOpen
     const elementBlock& block,
     const Traction& traction,
     const Pressure& pressure,
-    const scalar backflow,
+    const surfaceLoad::answer& answer,
     const scalar rho,
     const scalar columns,
     const flowFields& stage,
@@ -45,6 +45,7 @@ void Foam::flowLoads::addOpen
     feMatrix* K
 ) const
 {
+    const scalar total = answer.total ? rho : 0, beta = answer.backflow*rho, Z = answer.impedance;
     constexpr int dim = F::dim + 1;
     typedef Vec<double, dim> vec;
     faceValues<double, F> face;
@@ -77,17 +78,20 @@ void Foam::flowLoads::addOpen
             face.reinit(x, q);
             const vec& n = face.ndA;
             const vec u = face.value(v);
-            const scalar dA = ::sqrt(n & n), cn = min(face.value(c) & n, 0.0);
+            const scalar dA = ::sqrt(n & n), out = face.value(c) & n, cn = min(out, 0.0);
+            const scalar in = cn < 0 ? total : 0;
 
-            // h = t - p n + beta rho min(c.n, 0) v
-            const vec h = dA*inPlane(traction(at)) - pressure(at)*n + (backflow*rho*cn)*u;
+            // h = t - (p - in |v|^2/2) n + beta rho min(c.n, 0) v - Z (c.n) n
+            const vec h =
+                dA*inPlane(traction(at)) - (pressure(at) - 0.5*in*(u & u) + Z*out/dA)*n + (beta*cn)*u;
             for (int i = 0; i < F::nNodes; ++i)
             {
                 for (int a = 0; a < dim; ++a) force[nodes[i]][fe_.axis(a)] -= face.N[i]*h[a];
             }
-            if (!K || cn == 0) continue;
+            if (!K || (cn == 0 && Z == 0)) continue;
 
-            const Ten<double, dim> dh = (backflow*rho)*(cn*Ten<double, dim>::I() + u*n);
+            Ten<double, dim> dh = in*(n*u) + (-Z/dA)*(n*n);
+            if (cn < 0) dh = dh + beta*(cn*Ten<double, dim>::I() + u*n);
             for (int i = 0; i < F::nNodes; ++i) for (int j = 0; j < F::nNodes; ++j)
             {
                 const label row = unknowns.start(0, nodes[i]), col = unknowns.start(0, nodes[j]);
@@ -170,7 +174,7 @@ void Foam::flowLoads::addSurface
 {
     const auto add = [&]
     (
-        const label patchi, const auto& traction, const auto& pressure, const scalar backflow
+        const label patchi, const auto& traction, const auto& pressure, const surfaceLoad::answer& answer
     )
     {
         for (const elementBlock& block : fe_.patchBlocks(patchi))
@@ -180,7 +184,7 @@ void Foam::flowLoads::addSurface
                 if (F.dim != fe_.dim() - 1) return;
                 addOpen<decltype(F)>
                 (
-                    block, traction, pressure, backflow, rho, columns, stage, unknowns, force, K
+                    block, traction, pressure, answer, rho, columns, stage, unknowns, force, K
                 );
             });
         }
@@ -194,11 +198,13 @@ void Foam::flowLoads::addSurface
             patchi,
             [&](const auto& at) { return load->traction(at(stage.x), t); },
             [&](const auto& at) { return load->pressure(at(stage.x), t); },
-            load->backflow()
+            load->toFlow()
         );
     }
     if (pressurePatches_.empty()) return;
     const scalarField pressure(p_.v0 + columns*(p_.v - p_.v0));
+    surfaceLoad::answer bounded;
+    bounded.backflow = 0.5;
     for (const label patchi : pressurePatches_)
     {
         add
@@ -206,7 +212,7 @@ void Foam::flowLoads::addSurface
             patchi,
             [](const auto&) { return vector::zero; },
             [&](const auto& at) { return at(pressure); },
-            0.5
+            bounded
         );
     }
 }

@@ -19,6 +19,7 @@ Description
 #include "stepControl.H"
 #include "timeError.H"
 #include "exitOnError.H"
+#include "refuseBlanks.H"
 #include "stockFunctionObjects.H"
 
 using namespace Foam;
@@ -53,6 +54,7 @@ int main(int argc, char *argv[])
         "dry-run",
         "Read and check the case, report its size, and stop"
     );
+    refuseBlanks(argc, argv);
     #include "setRootCase.H"
     exitOnError();
     Info<< "Create time\n" << endl;

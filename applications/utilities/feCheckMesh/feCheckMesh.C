@@ -33,6 +33,7 @@ Description
 #include "volFields.H"
 #include "pointIOField.H"
 #include "qualityLimits.H"
+#include "refuseBlanks.H"
 #include "subDictOrEmpty.H"
 #include "unknownEntries.H"
 #include "gatherAll.H"
@@ -202,6 +203,7 @@ int main(int argc, char *argv[])
     argList::addBoolOption("writeFields", "Fields of the measures");
     argList::addOption("dict", "file", "Instead of system/feCheckMeshDict");
 
+    refuseBlanks(argc, argv);
     #include "setRootCase.H"
     #include "createTime.H"
     const instantList times = timeSelector::selectIfPresent(runTime, args);

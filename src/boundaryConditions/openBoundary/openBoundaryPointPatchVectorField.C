@@ -6,6 +6,7 @@
 
 #include "openBoundaryPointPatchVectorField.H"
 #include "addToRunTimeSelectionTable.H"
+#include "readNumber.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -25,9 +26,10 @@ namespace Foam
 Foam::openBoundaryLoad::openBoundaryLoad()
 :
     pressure_(0),
-    traction_(Zero),
-    backflow_(0.5)
-{}
+    traction_(Zero)
+{
+    answer_.backflow = 0.5;
+}
 
 
 Foam::openBoundaryLoad::openBoundaryLoad(const dictionary& dict, const Time& runTime)
@@ -35,15 +37,24 @@ Foam::openBoundaryLoad::openBoundaryLoad(const dictionary& dict, const Time& run
     pressure_("pressure", dict, 0),
     traction_("traction", dict, Zero),
     pressureCode_(dict, runTime, "pressureCode"),
-    tractionCode_(dict, runTime, "tractionCode"),
-    backflow_(dict.lookupOrDefault<scalar>("backflowStabilisation", 0.5))
+    tractionCode_(dict, runTime, "tractionCode")
 {
-    if (backflow_ < 0)
+    const wordList kinds({"static", "total"});
+    const word kind(dict.lookupOrDefault<word>("pressureIs", kinds[0]));
+    if (!kinds.found(kind))
     {
         FatalIOErrorInFunction(dict)
-            << "backflowStabilisation is " << backflow_ << ", expected >= 0:"
-            << " 0 for none, 0.5 to bound the energy that comes in"
-            << exit(FatalIOError);
+            << "Unknown pressureIs " << kind << ". Valid: " << kinds << exit(FatalIOError);
+    }
+    answer_.total = kind == kinds[1];
+    answer_.backflow = answer_.total ? 0 : 0.5;
+    if (dict.found("backflowStabilisation"))
+    {
+        answer_.backflow = readNotNegative(dict, "backflowStabilisation", dimless);
+    }
+    if (dict.found("impedance"))
+    {
+        answer_.impedance = readNotNegative(dict, "impedance", dimPressure/dimVelocity);
     }
 }
 
@@ -52,7 +63,11 @@ Foam::openBoundaryLoad::openBoundaryLoad(const dictionary& dict, const Time& run
 
 Foam::wordList Foam::openBoundaryLoad::entries()
 {
-    return patchFieldEntries({"pressure", "traction"}, {"pressureCode", "tractionCode", "backflowStabilisation"});
+    return patchFieldEntries
+    (
+        {"pressure", "traction"},
+        {"pressureCode", "tractionCode", "pressureIs", "backflowStabilisation", "impedance"}
+    );
 }
 
 
@@ -62,7 +77,9 @@ void Foam::openBoundaryLoad::write(Ostream& os) const
     traction_.write(os);
     pressureCode_.write(os);
     tractionCode_.write(os);
-    os.writeEntry("backflowStabilisation", backflow_);
+    os.writeEntry("pressureIs", word(answer_.total ? "total" : "static"));
+    os.writeEntry("backflowStabilisation", answer_.backflow);
+    os.writeEntry("impedance", answer_.impedance);
 }
 
 

@@ -97,7 +97,14 @@ Foam::feRegion::feRegion(fvMesh& mesh, const label order)
     points0_(pointIOField(points0MotionSolver::points0IO(mesh))),
     fe_(new feMesh(mesh, order, schemes_, points0_)),
     minDetJ_(GREAT)
-{}
+{
+    if (g_.dimensions() != dimAcceleration)
+    {
+        FatalErrorInFunction
+            << "The dimensions of g are " << g_.dimensions() << " in " << g_.objectPath()
+            << ", expected " << dimAcceleration << exit(FatalError);
+    }
+}
 
 
 Foam::autoPtr<Foam::feRegion> Foam::feRegion::New

@@ -70,7 +70,9 @@ void Foam::readTurbulence(const fvMesh& mesh, flowParameters& k)
             IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
         )
     );
-    const word type(dict.lookupOrDefault<word>("simulationType", "laminar"));
+    if (dict.empty()) return;
+    reportUnknownEntries(dict, {"simulationType", "LES", "RAS", "laminar"});
+    const word type(dict.get<word>("simulationType"));
     if (type == "laminar") return;
     if (type != "LES")
     {

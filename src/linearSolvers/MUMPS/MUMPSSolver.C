@@ -7,6 +7,7 @@
 
 #include "MUMPSSolver.H"
 #include "MUMPSInstance.H"
+#include "checkMemory.H"
 #include "blasThreads.H"
 #include "ListOps.H"
 #include "nodeOrdering.H"
@@ -185,6 +186,8 @@ void Foam::MUMPSSolver::analyse(const feMatrixPattern& pattern)
             << " unknowns: error " << status << ' ' << mumps.infog(2)
             << exit(FatalError);
     }
+
+    checkMemory(mumps.info(15), controls_.maxMemory, unknowns_.size());
 
     // INFO(8): number of values with the relaxation
     setWorkspace(mumps.info(8) < 0 ? -1e6*mumps.info(8) : mumps.info(8));
