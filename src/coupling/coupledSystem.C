@@ -17,6 +17,31 @@
 namespace Foam
 {
 
+//- What is in controlDict without anybody who reads it
+static void reportControls(const Time& runTime)
+{
+    const wordList ofOthers({"adjustTimeStep", "maxCo", "maxDeltaT"});
+    for (const word& control : ofOthers)
+    {
+        if (!runTime.controlDict().found(control)) continue;
+        IOWarningInFunction(runTime.controlDict())
+            << "Entry " << control << " has no effect: for automatic steps use"
+            << " timeStepControl of system/feSolution" << endl;
+    }
+    wordList known
+    ({
+        "application", "libs", "regionSolvers", "functions", "startFrom", "startTime", "beginTime", "stopAt",
+        "endTime", "deltaT", "writeControl", "writeInterval", "writeFrequency", "purgeWrite", "writeFormat",
+        "writePrecision", "writeVersion", "writeCompression", "timeFormat", "timePrecision", "graphFormat",
+        "runTimeModifiable", "secondaryWriteControl", "secondaryWriteInterval", "secondaryPurgeWrite",
+        "profiling", "DebugSwitches", "InfoSwitches", "OptimisationSwitches", "DimensionSets",
+        "DimensionedConstants"
+    });
+    known.append(ofOthers);
+    reportUnknownEntries(runTime.controlDict(), known);
+}
+
+
 static bool consistentRates(const dictionary& solution)
 {
     const wordList valid({"nil", "consistent"});
@@ -40,7 +65,14 @@ void Foam::coupledSystem::readRegions()
     const regionProperties properties(runTime_);
 
     wordList names;
-    forAllConstIters(properties, iter) names.append(iter.val());
+    forAllConstIters(properties, iter)
+    {
+        names.append(iter.val());
+        if (iter.key() == "fluid" || iter.key() == "solid") continue;
+        WarningInFunction
+            << "constant/regionProperties lists regions " << iter.val() << " as " << iter.key()
+            << ", expected fluid or solid. What they are is told by regionSolvers" << endl;
+    }
     for (const word& name : names)
     {
         if (std::count(names.begin(), names.end(), name) == 1) continue;
@@ -156,13 +188,7 @@ Foam::coupledSystem::coupledSystem(Time& runTime)
 {
     trapsOff::inThreads();
     reportUnknownEntries(solution_, {"newton", "linearSolver", "timeStepControl", "initialRates"});
-    for (const word control : {"adjustTimeStep", "maxCo", "maxDeltaT"})
-    {
-        if (!runTime.controlDict().found(control)) continue;
-        IOWarningInFunction(runTime.controlDict())
-            << "Entry " << control << " has no effect: for automatic steps use"
-            << " timeStepControl of system/feSolution" << endl;
-    }
+    reportControls(runTime);
     readRegions();
     readInterfaces();
     makeSystem();

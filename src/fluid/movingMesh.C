@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "movingMesh.H"
+#include "checkNumbers.H"
 #include "feRegion.H"
 #include "unknownEntries.H"
 
@@ -26,6 +27,7 @@ Foam::movingMesh::movingMesh(fvMesh& mesh, const dictionary& linearSolver)
     extended_(true)
 {
     if (!moving()) return;
+    checkNumbers(dict_);
     const word type(meshMotion::select(dict_));
     reportUnknownEntries
     (

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "feRegion.H"
+#include "checkNumbers.H"
 #include "points0MotionSolver.H"
 #include "feValues.H"
 #include "gatherAll.H"
@@ -62,7 +63,9 @@ Foam::IOdictionary Foam::feRegion::readSchemes(const fvMesh& mesh)
 {
     IOobject io(dictObject("feSchemes", mesh.time().system(), mesh));
     io.registerObject() = false;
-    return IOdictionary(io);
+    IOdictionary schemes(io);
+    checkNumbers(schemes);
+    return schemes;
 }
 
 
