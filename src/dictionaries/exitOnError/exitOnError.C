@@ -7,6 +7,7 @@
 #include "exitOnError.H"
 #include "error.H"
 #include "Pstream.H"
+#include <cfenv>
 #include <exception>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -52,6 +53,7 @@ void Foam::exitOnError()
     // wait for other ranks
     FatalError.throwExceptions();
     FatalIOError.throwExceptions();
+    fedisableexcept(FE_OVERFLOW);
     std::set_terminate(endRun);
 }
 
