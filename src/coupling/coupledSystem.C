@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coupledSystem.H"
-#include "checkNumbers.H"
 #include "meshFiles.H"
 #include "trapsOff.H"
 #include "regionProperties.H"
@@ -39,7 +38,6 @@ static void reportControls(const Time& runTime)
         "DimensionedConstants"
     });
     known.append(ofOthers);
-    checkNumbers(runTime.controlDict());
     reportUnknownEntries(runTime.controlDict(), known);
 }
 
@@ -189,7 +187,6 @@ Foam::coupledSystem::coupledSystem(Time& runTime)
     failedNorm_(-1)
 {
     trapsOff::inThreads();
-    checkNumbers(solution_);
     reportUnknownEntries(solution_, {"newton", "linearSolver", "timeStepControl", "initialRates"});
     reportControls(runTime);
     readRegions();

@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "movingMesh.H"
-#include "checkNumbers.H"
 #include "feRegion.H"
 #include "unknownEntries.H"
 
@@ -27,7 +26,6 @@ Foam::movingMesh::movingMesh(fvMesh& mesh, const dictionary& linearSolver)
     extended_(true)
 {
     if (!moving()) return;
-    checkNumbers(dict_);
     const word type(meshMotion::select(dict_));
     reportUnknownEntries
     (

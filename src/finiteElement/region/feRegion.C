@@ -5,7 +5,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "feRegion.H"
-#include "checkNumbers.H"
 #include "points0MotionSolver.H"
 #include "feValues.H"
 #include "gatherAll.H"
@@ -63,9 +62,7 @@ Foam::IOdictionary Foam::feRegion::readSchemes(const fvMesh& mesh)
 {
     IOobject io(dictObject("feSchemes", mesh.time().system(), mesh));
     io.registerObject() = false;
-    IOdictionary schemes(io);
-    checkNumbers(schemes);
-    return schemes;
+    return IOdictionary(io);
 }
 
 
