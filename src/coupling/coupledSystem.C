@@ -131,6 +131,7 @@ void Foam::coupledSystem::readInterfaces()
                 << e.keyword() << " { type ...; fluid {...} solid {...} }" << exit(FatalIOError);
         }
         interfaces_.append(feInterface::New(e.keyword(), e.dict(), regions_).ptr());
+        for (label i = 0; i + 1 < interfaces_.size(); ++i) interfaces_.last().checkApart(interfaces_[i]);
     }
 
     for (feRegion& region : regions_)

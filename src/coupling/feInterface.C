@@ -6,6 +6,7 @@
 
 #include "feInterface.H"
 #include "unknownEntries.H"
+#include "OStringStream.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -150,6 +151,42 @@ Foam::autoPtr<Foam::feInterface> Foam::feInterface::New
         ) << exit(FatalIOError);
     }
     return cstrIter()(name, dict, regions);
+}
+
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::feInterface::checkApart(const feInterface& other) const
+{
+    const auto fail = [&](const feRegion& region, const string& what)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Interfaces " << other.name() << " and " << name() << " both have " << what.c_str()
+            << " of region " << region.name() << '.' << nl
+            << "A side of an interface may have several patches: patches (a b);"
+            << exit(FatalIOError);
+    };
+    const auto checkPatches = [&](const feRegion& region, const labelUList& mine, const labelUList& others)
+    {
+        for (const label patchi : mine)
+        {
+            if (others.found(patchi)) fail(region, "patch " + region.mesh().boundaryMesh()[patchi].name());
+        }
+    };
+    if (&solid_ == &other.solid_) checkPatches(solid_, solidPatches_, other.solidPatches_);
+    if (&fluid_ != &other.fluid_) return;
+    checkPatches(fluid_, fluidPatches_, other.fluidPatches_);
+    if (sharesNodes() && other.sharesNodes()) return;
+
+    const labelHashSet nodes(other.fluidNodes());
+    point where = point::max;
+    for (const label n : fluidNodes()) if (nodes.found(n)) where = fluid_.fe().points()[n];
+    reduce(where, minOp<point>());
+    if (where == point::max) return;
+    OStringStream os;
+    os << "the node at " << where;
+    fail(fluid_, os.str());
 }
 
 

@@ -168,17 +168,28 @@ void Foam::systemUnknowns::makeBlocks()
 
 void Foam::systemUnknowns::reportHeld(const feInterface& interface) const
 {
-    // By the fluid 1, by the solid 2, on any rank
+    // As any rank knows, at the first unknown of a node
     const feRegion &fluid = interface.fluid(), &solid = interface.solid();
     scalarField byFluid(map_->nUnknowns(), 0), bySolid(byFluid);
     const labelList fluidNodes(interface.fluidNodes());
     for (const label n : fluidNodes) byFluid[fluid.unknowns().start(0, n)] = fluid.boundary().constrained(n);
-    for (const label n : interface.solidNodes())
+    for (label n = 0; n < solid.fe().nNodes(); ++n)
     {
         bySolid[solid.unknowns().start(0, n)] = solid.boundary().constrained(n);
     }
     map_->maximum(byFluid);
     map_->maximum(bySolid);
+
+    // By the solid's node that it is, or by one that it is tied to
+    const auto heldBySolid = [&](const label u)
+    {
+        if (interface.sharesNodes() || !constraints_->isTied(u)) return bySolid[u] > 0;
+        for (const auto& t : constraints_->masters(u))
+        {
+            if (bySolid[map_->start(map_->nodeOf(t.unknown))] > 0) return true;
+        }
+        return false;
+    };
 
     label n = 0;
     point where = point::max;
@@ -186,7 +197,7 @@ void Foam::systemUnknowns::reportHeld(const feInterface& interface) const
     for (const label node : fluidNodes)
     {
         const label u = fluid.unknowns().start(0, node);
-        if (byFluid[u] == 0 || bySolid[u] > 0 || !map_->owned(fluid.unknowns().node(node))) continue;
+        if (byFluid[u] == 0 || heldBySolid(u) || !map_->owned(fluid.unknowns().node(node))) continue;
         ++n;
         where = fluid.fe().points()[node];
         if (fluid.boundary().constrained(node)) names.append(fluid.boundary().patchName(node));
@@ -198,8 +209,14 @@ void Foam::systemUnknowns::reportHeld(const feInterface& interface) const
         << "Interface " << interface.name() << ": " << returnReduce(n, sumOp<label>())
         << " of its nodes, one at " << where << ", are also on patches " << all << " of region "
         << fluid.name() << " with conditions there; the solid is free at them." << nl
-        << "    Values of these patches do not count at the interface's nodes, planes of"
-        << " symmetry and slip do." << endl;
+        << (
+               interface.sharesNodes()
+             ? "    Values of these patches do not count at the interface's nodes, planes of"
+               " symmetry and slip do."
+             : "    These do not count at the interface's nodes: where they should, give the"
+               " solid the same conditions."
+           )
+        << endl;
 }
 
 

@@ -76,6 +76,17 @@ const variant variants[] =
     {"space", {"time=type generalisedAlpha; rhoInf 0.5;", "fluid=equalOrder", "solid=linear", "dim=3"}},
     {"spaceTaylorHood", {"time=type Newmark;", "dim=3"}},
     {"spaceSteady", {"time=type steady;", "dim=3", "fluid=equalOrder", "solid=linear"}},
+    {
+        "nonMatchingSteady",
+        {"time=type steady;", "interface=type nonMatching;", "sx=5", "fluid=equalOrder"}
+    },
+    {
+        "nonMatchingSpace",
+        {
+            "time=type generalisedAlpha; rhoInf 0.5;", "interface=type nonMatching;", "dim=3",
+            "fluid=equalOrder", "sx=3", "nx=4", "wet=1,0.09 0,-0.02"
+        }
+    },
 };
 
 std::ostream& operator<<(std::ostream& os, const variant& v) { return os << v.name; }

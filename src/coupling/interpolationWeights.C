@@ -1,0 +1,41 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "interpolationWeights.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(interpolationWeights, 0);
+    addToRunTimeSelectionTable(interfaceWeights, interpolationWeights, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::List<Foam::List<Foam::interfaceSurface::term>> Foam::interpolationWeights::rows
+(
+    const feRegion&,
+    const labelUList&,
+    const labelUList& nodes,
+    const vectorField& x,
+    const interfaceSurface& other
+) const
+{
+    List<List<term>> rows(nodes.size());
+    forAll(nodes, i)
+    {
+        DynamicList<term> terms;
+        other.addTerms(other.project(x[nodes[i]]), x[nodes[i]], 1, terms);
+        rows[i] = collected(terms);
+    }
+    return rows;
+}
+
+
+// ************************************************************************* //
