@@ -5,102 +5,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "interfaceSurface.H"
+#include "nearestOnFace.H"
 #include "gatherAll.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-
-//- Position and tangents of a face at xi
-template<class F>
-static point evaluate(const point* X, const double* xi, vector* t)
-{
-    double N[F::nNodes], dN[F::nNodes][F::dim];
-    F::shape(xi, N, dN);
-    point x = Zero;
-    for (int b = 0; b < F::dim; ++b) t[b] = Zero;
-    for (int i = 0; i < F::nNodes; ++i)
-    {
-        x += N[i]*X[i];
-        for (int b = 0; b < F::dim; ++b) t[b] += dN[i][b]*X[i];
-    }
-    return x;
-}
-
-
-//- Put what is outside by round-off on the boundary; whether xi is inside
-template<class F>
-static bool inside(double* xi)
-{
-    constexpr double small = 1e-9;
-    const auto meet = [&](double& a, const double bound) { if (mag(a - bound) < small) a = bound; };
-    if constexpr (F::nVertices == 3)
-    {
-        for (int a = 0; a < 2; ++a) meet(xi[a], 0);
-        if (mag(xi[0] + xi[1] - 1) < small) xi[1] = 1 - xi[0];
-        return xi[0] >= 0 && xi[1] >= 0 && xi[0] + xi[1] <= 1;
-    }
-    else
-    {
-        bool in = true;
-        for (int a = 0; a < F::dim; ++a)
-        {
-            meet(xi[a], -1);
-            meet(xi[a], 1);
-            in = in && mag(xi[a]) <= 1;
-        }
-        return in;
-    }
-}
-
-
-//- Nearest point of a face; xi starts at its centre
-template<class F>
-static void nearest(const point* X, const point& to, double* xi)
-{
-    vector t[2];
-    const auto distance = [&](const double* at) { return magSqr(to - evaluate<F>(X, at, t)); };
-    for (int a = 0; a < F::dim; ++a) xi[a] = F::nVertices == 3 ? 1.0/3 : 0;
-    for (label iter = 0; iter < 30; ++iter)
-    {
-        const vector r = to - evaluate<F>(X, xi, t);
-        double d[2] = {0, 0};
-        if constexpr (F::dim == 1) d[0] = (t[0] & r)/(t[0] & t[0]);
-        else
-        {
-            const double a = t[0] & t[0], b = t[0] & t[1], c = t[1] & t[1], det = a*c - b*b;
-            d[0] = (c*(t[0] & r) - b*(t[1] & r))/det;
-            d[1] = (a*(t[1] & r) - b*(t[0] & r))/det;
-        }
-
-        // A curved face may send one far away
-        const double step = max(mag(d[0]), mag(d[1]));
-        for (int a = 0; a < F::dim; ++a) xi[a] += d[a]/max(step, 1.0);
-        if (step < 1e-14) break;
-    }
-    if (inside<F>(xi)) return;
-
-    if constexpr (F::dim == 1) xi[0] = xi[0] < 0 ? -1 : 1;
-    else
-    {
-        typedef std::conditional_t<F::order == 1, Line1, Line2> Line;
-        double best = GREAT, end[2];
-        for (int e = 0; e < F::nEdges; ++e)
-        {
-            const int i = F::edges[e][0], j = F::edges[e][1];
-            const point edge[3] = {X[i], X[j], F::order == 1 ? X[i] : X[F::nVertices + e]};
-            double s;
-            nearest<Line>(edge, to, &s);
-            for (int a = 0; a < 2; ++a) end[a] = 0.5*((1 - s)*F::xi[i][a] + (1 + s)*F::xi[j][a]);
-            if (distance(end) >= best) continue;
-            best = distance(end);
-            xi[0] = end[0];
-            xi[1] = end[1];
-        }
-    }
-}
-
 
 //- Call f(face element) of a shape and order
 template<class F>
@@ -215,7 +126,7 @@ Foam::interfaceSurface::projection Foam::interfaceSurface::project
         typedef decltype(tag) F;
         point X[F::nNodes];
         for (int i = 0; i < F::nNodes; ++i) X[i] = points_[face.nodes[i]];
-        nearest<F>(X, to, p.xi);
+        nearestOnFace<F>(X, to, p.xi);
         vector t[2];
         p.x = evaluate<F>(X, p.xi, t);
         if (F::dim == 1)

@@ -18,7 +18,7 @@ namespace Foam
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-Foam::List<Foam::interfaceSurface::term> Foam::interfaceWeights::collected
+Foam::List<Foam::interfaceSurface::term> Foam::interfaceWeights::summed
 (
     DynamicList<term>& terms
 )
@@ -34,6 +34,16 @@ Foam::List<Foam::interfaceSurface::term> Foam::interfaceWeights::collected
         if (once.size() && once.last().node == t.node) once.last().weight += t.weight;
         else once.append(t);
     }
+    return once;
+}
+
+
+Foam::List<Foam::interfaceSurface::term> Foam::interfaceWeights::collected
+(
+    DynamicList<term>& terms
+)
+{
+    List<term> once(summed(terms));
 
     // What goes by round-off goes to the largest, so that the sum stays
     label largest = 0, n = 0;
@@ -41,7 +51,8 @@ Foam::List<Foam::interfaceSurface::term> Foam::interfaceWeights::collected
     term& most = once[largest];
     forAll(once, i) if (mag(once[i].weight) < 1e-12) most.weight += once[i].weight;
     for (const term& t : once) if (mag(t.weight) >= 1e-12) once[n++] = t;
-    return SubList<term>(once, n);
+    once.setSize(n);
+    return once;
 }
 
 
@@ -49,7 +60,7 @@ Foam::List<Foam::interfaceSurface::term> Foam::interfaceWeights::collected
 
 Foam::autoPtr<Foam::interfaceWeights> Foam::interfaceWeights::New(const dictionary& dict)
 {
-    const word type(dict.lookupOrDefault<word>("weights", "interpolation"));
+    const word type(dict.lookupOrDefault<word>("weights", "mortar"));
     auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
     if (!cstrIter.found())
     {

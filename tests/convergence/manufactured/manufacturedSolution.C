@@ -77,6 +77,19 @@ auto Foam::manufacturedSolution::ddx(const F& f, const point& x, const label a) 
 }
 
 
+template<class F>
+Foam::tensor Foam::manufacturedSolution::grad(const F& f, const point& x) const
+{
+    tensor g = Zero;
+    for (label a = 0; a < dim_; ++a)
+    {
+        const vector df = ddx(f, x, a);
+        for (label i = 0; i < dim_; ++i) g(i, a) = df[i];
+    }
+    return g;
+}
+
+
 Foam::vector Foam::manufacturedSolution::V(const point& x, const scalar t) const
 {
     return derivative([&](const scalar s) { return D(x, t + s); });
@@ -116,17 +129,7 @@ Foam::vector Foam::manufacturedSolution::solidForce
     const dictionary& material
 ) const
 {
-    const auto P = [&](const point& y)
-    {
-        tensor F = tensor::I;
-        for (label a = 0; a < dim_; ++a)
-        {
-            const vector dD = ddx([&](const point& z) { return D(z, t); }, y, a);
-            for (label i = 0; i < dim_; ++i) F(i, a) += dD[i];
-        }
-        return stress(material, F);
-    };
-
+    const auto P = [&](const point& y) { return solidStress(y, t, material); };
     vector f = material.get<scalar>("rho")
        *secondDerivative([&](const scalar s) { return D(x, t + s); });
     for (label a = 0; a < dim_; ++a)
@@ -135,6 +138,37 @@ Foam::vector Foam::manufacturedSolution::solidForce
         for (label i = 0; i < dim_; ++i) f[i] -= dP(i, a);
     }
     return f;
+}
+
+
+Foam::tensor Foam::manufacturedSolution::flowStress(const point& x, const scalar t) const
+{
+    const tensor L(grad([&](const point& y) { return U(y, t); }, x));
+    return -p(x, t)*tensor::I + mu*(L + L.T());
+}
+
+
+Foam::tensor Foam::manufacturedSolution::solidStress
+(
+    const point& x,
+    const scalar t,
+    const dictionary& material
+) const
+{
+    return stress(material, tensor::I + grad([&](const point& y) { return D(y, t); }, x));
+}
+
+
+Foam::vector Foam::manufacturedSolution::interfaceLoad
+(
+    const point& X,
+    const scalar t,
+    const vector& N
+) const
+{
+    const tensor F(tensor::I + grad([&](const point& y) { return D(y, t); }, X));
+    const vector n(det(F)*(inv(F).T() & N));
+    return (solidStress(X, t, material) & N) - (flowStress(X + D(X, t), t) & n);
 }
 
 
@@ -204,6 +238,35 @@ public:
     }
 };
 
+
+class wallSolution : public manufacturedSolution
+{
+    static constexpr scalar A = 0.05;
+
+public:
+
+    using manufacturedSolution::manufacturedSolution;
+
+    //- The curl of psi = e^2 phi/2, e the distance below the wall
+    virtual vector U(const point& x, const scalar) const
+    {
+        const scalar e = 1 + A*sin(pi*x.x()) - x.y(), dedx = A*pi*cos(pi*x.x());
+        const scalar phi = 1 + 0.3*sin(2*x.x() + x.y()), d = 0.3*cos(2*x.x() + x.y());
+        return vector(0.5*sqr(e)*d - e*phi, -sqr(e)*d - e*dedx*phi, 0);
+    }
+
+    virtual scalar p(const point& x, const scalar) const
+    {
+        return 2*cos(2*x.x())*sin(1 + x.y());
+    }
+
+    virtual vector D(const point& x, const scalar) const
+    {
+        const scalar y = x.y() - 1;
+        return A*vector(2*y*(1 - y)*sin(2*pi*x.x()), sin(pi*x.x())*cos(0.5*pi*y), 0);
+    }
+};
+
 } // End namespace Foam
 
 
@@ -214,10 +277,11 @@ Foam::autoPtr<Foam::manufacturedSolution> Foam::manufacturedSolution::New
 )
 {
     if (name == "polynomial") return autoPtr<manufacturedSolution>(new polynomialSolution(dim));
+    if (name == "wall") return autoPtr<manufacturedSolution>(new wallSolution(dim));
     if (name != "smooth")
     {
         FatalErrorInFunction
-            << "Unknown solution " << name << ". Valid: (polynomial smooth)" << exit(FatalError);
+            << "Unknown solution " << name << ". Valid: (polynomial smooth wall)" << exit(FatalError);
     }
     return autoPtr<manufacturedSolution>(new smoothSolution(dim));
 }

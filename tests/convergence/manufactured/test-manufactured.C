@@ -11,7 +11,7 @@ Description
     errors at the last time relative to the solution, for the scripts run of
     tests/convergence. system/controlDict has
 
-        solution    smooth;     // or polynomial
+        solution    smooth;     // or polynomial, wall
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
@@ -27,7 +27,7 @@ using namespace Foam;
 //- Set the source of a region
 void setSource(feRegion& region)
 {
-    const manufacturedSolution& s = manufacturedSolution::theSolution();
+    manufacturedSolution& s = manufacturedSolution::theSolution();
     IOdictionary dict
     (
         IOobject
@@ -42,6 +42,7 @@ void setSource(feRegion& region)
     {
         const scalar rho = dimensionedScalar("rho", dimDensity, dict).value();
         const scalar mu = dimensionedScalar("mu", dimDynamicViscosity, dict).value();
+        s.mu = mu;
         refCast<aleFluid>(region).source =
             [=, &s](const point& x, const scalar t) { return s.flowForce(x, t, rho, mu); };
     }
@@ -49,6 +50,7 @@ void setSource(feRegion& region)
     {
         const PtrList<entry> materials(dict.lookup("materials"));
         const dictionary material(materials[0].dict());
+        s.material = material;
         refCast<nonlinearSolid>(region).source =
             [=, &s](const point& x, const scalar t) { return s.solidForce(x, t, material); };
     }
@@ -73,17 +75,18 @@ void reportErrors(const feRegion& region, const scalar t)
             p[n] = 0;
             for (const label m : parent[n]) p[n] += p[m]/parent[n].size();
         }
+        const vectorField x(fe.points() + region.motion().D);
         Info<< "errors U "
-            << errorNorm(fe, fluid.velocity().v, [&](const point& x) { return s.U(x, t); })
-            << " p " << errorNorm(fe, p, [&](const point& x) { return s.p(x, t); }) << endl;
+            << errorNorm(fe, x, fluid.velocity().v, [&](const point& x) { return s.U(x, t); })
+            << " p " << errorNorm(fe, x, p, [&](const point& x) { return s.p(x, t); }) << endl;
     }
     else
     {
         const motionField& motion = region.motion();
-        Info<< "errors D " << errorNorm(fe, motion.D, [&](const point& x) { return s.D(x, t); });
+        Info<< "errors D " << errorNorm(fe, fe.points(), motion.D, [&](const point& x) { return s.D(x, t); });
         if (!region.timeScheme().steady())
         {
-            Info<< " V " << errorNorm(fe, motion.v, [&](const point& x) { return s.V(x, t); });
+            Info<< " V " << errorNorm(fe, fe.points(), motion.v, [&](const point& x) { return s.V(x, t); });
         }
         Info<< endl;
     }

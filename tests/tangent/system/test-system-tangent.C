@@ -625,6 +625,51 @@ TEST(fsi3Short, isDiscretisedAnew)
 }
 
 
+//- Where the two surfaces have gaps: as the solid turns and stretches, the fluid's
+//  nodes are where its points would be
+class nonMatchingMotion : public systemTangent {};
+
+TEST_P(nonMatchingMotion, isThatOfTheBody)
+{
+    feInterface& interface = const_cast<feInterface&>(system->interfaces()[0]);
+    const scalar angle = 1.8;
+    const scalar c = ::cos(angle), s = ::sin(angle);
+    const tensor R(c, -s, 0, s, c, 0, 0, 0, 1);
+    const tensor F = R & tensor(1.2, 0.3, 0, 0, 0.9, 0, 0, 0, 1), L(0, -2, 0, 3, 0.5, 0, 0, 0, 0);
+    const point centre(0.3, -0.2, 0.1);
+
+    motionField& solid = interface.solid().motion();
+    const vectorField& Xs = interface.solid().fe().points();
+    forAll(Xs, n)
+    {
+        solid.D[n] = (F - tensor::I) & (Xs[n] - centre);
+        solid.v[n] = L & (Xs[n] - centre);
+    }
+    interface.follow();
+    const motionField& fluid = interface.fluid().motion();
+    for (const label n : interface.fluidNodes())
+    {
+        const vector X = interface.fluid().fe().points()[n] - centre;
+        EXPECT_LT(mag(fluid.D[n] - ((F - tensor::I) & X)), 1e-12);
+        EXPECT_LT(mag(fluid.v[n] - (L & X)), 1e-12);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P
+(
+    variants, nonMatchingMotion, ::testing::Values
+    (
+        variant{"plane", {"interface=type nonMatching;", "sx=3", "wet=1,0.08 0,-0.02"}},
+        variant{"planeMortar", {"interface=type nonMatching; weights mortar;", "sx=5", "wet=1,0.08 0,0.02"}},
+        variant
+        {
+            "spaceMortar",
+            {"interface=type nonMatching; weights mortar;", "dim=3", "sx=3", "fluid=equalOrder", "wet=1,0.08 0,-0.02"}
+        }
+    ),
+    [](const auto& info) { return std::string(info.param.name); }
+);
+
 INSTANTIATE_TEST_SUITE_P
 (
     variants, systemTangent, ::testing::ValuesIn(variants),

@@ -1,0 +1,251 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "mortarWeights.H"
+#include "addToRunTimeSelectionTable.H"
+#include "facePoints.H"
+#include "gatherAll.H"
+#include "LUscalarMatrix.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(mortarWeights, 0);
+    addToRunTimeSelectionTable(interfaceWeights, mortarWeights, dictionary);
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Test functions chi_i = sum_j T_ij N_j of the nodes that are not on the rim. The
+//  others' are given to them such that fields linear in xi stay: chi_i holds of N_j
+//  what u_i is of u_j, extrapolated
+template<class F>
+static scalarSquareMatrix testFunctions(const bool* onRim)
+{
+    scalarSquareMatrix T(F::nNodes, Zero);
+    const auto at = [](const int i) { return vector(F::xi[i][0], F::dim > 1 ? F::xi[i][F::dim - 1] : 0, 0); };
+    vector mean = Zero;
+    label nFree = 0;
+    for (int i = 0; i < F::nNodes; ++i) if (!onRim[i])
+    {
+        T(i, i) = 1;
+        mean += at(i);
+        ++nFree;
+    }
+    if (!nFree) return T;
+    mean /= nFree;
+    symmTensor C = Zero;
+    for (int i = 0; i < F::nNodes; ++i) if (!onRim[i]) C += sqr(at(i) - mean);
+    if (F::dim == 1) C.yy() = 1;
+    C.zz() = 1;
+    const bool linear = det(C) > 1e-6;
+    for (int j = 0; j < F::nNodes; ++j) if (onRim[j])
+    {
+        const vector g(linear ? vector(inv(C) & (at(j) - mean)) : vector::zero);
+        for (int i = 0; i < F::nNodes; ++i) if (!onRim[i]) T(i, j) = 1.0/nFree + ((at(i) - mean) & g);
+    }
+    return T;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::labelHashSet Foam::mortarWeights::rim(const feMesh& fe, const labelUList& patches)
+{
+    labelHashSet mine, rim;
+    for (const label patchi : patches) mine.insert(fe.patchNodes(patchi));
+    forAll(fe.mesh().boundaryMesh(), patchi)
+    {
+        if (patches.found(patchi)) continue;
+        for (const label n : fe.patchNodes(patchi)) if (mine.found(n)) rim.insert(n);
+    }
+    return rim;
+}
+
+
+template<class F>
+void Foam::mortarWeights::addFace
+(
+    const label* nodes,
+    const vectorField& x,
+    const Map<List<term>>& rim,
+    const interfaceSurface& other,
+    DynamicList<contribution>& all
+)
+{
+    constexpr int n = F::nNodes;
+    point X[n], centre = Zero;
+    scalar size = 0;
+    for (int i = 0; i < n; ++i)
+    {
+        X[i] = other.flat(x[nodes[i]]);
+        centre += X[i]/n;
+        size = max(size, mag(X[i] - X[0]));
+    }
+    const scalar ratio = size/other.size(other.project(centre).face);
+
+    scalarSquareMatrix M(n, Zero);
+    scalarField a(n, 0);
+    List<DynamicList<term>> Nu(n);
+    scalar area = 0;
+    forPoints<F>(X, other, ratio, [&](const double* xi, const scalar w)
+    {
+        double N[n], dN[n][F::dim];
+        F::shape(xi, N, dN);
+        const scalar dA = w*measure<F>(X, dN);
+        area += dA;
+        point at = Zero;
+        for (int i = 0; i < n; ++i) at += N[i]*X[i];
+        const auto p = other.project(at);
+        for (int i = 0; i < n; ++i)
+        {
+            a[i] += N[i]*dA;
+            for (int j = 0; j < n; ++j) M(i, j) += N[i]*N[j]*dA;
+            other.addTerms(p, at, N[i]*dA, Nu[i]);
+        }
+    });
+    if (min(a) < 1e-3*area/n) a = area/n;
+
+    // A u = b: int chi_i u_h = int chi_i u, and on the rim u_h = u
+    bool onRim[n];
+    for (int i = 0; i < n; ++i) onRim[i] = rim.found(nodes[i]);
+    const scalarSquareMatrix T(testFunctions<F>(onRim));
+    scalarSquareMatrix A(n, Zero);
+    List<List<term>> b(n);
+    for (int i = 0; i < n; ++i)
+    {
+        DynamicList<term> sum;
+        if (onRim[i])
+        {
+            A(i, i) = 1;
+            sum = rim[nodes[i]];
+        }
+        else for (int j = 0; j < n; ++j)
+        {
+            for (int k = 0; k < n; ++k) A(i, k) += T(i, j)*M(j, k);
+            for (const term& t : Nu[j]) sum.append({t.node, T(i, j)*t.weight});
+        }
+        b[i] = summed(sum);
+    }
+    scalarSquareMatrix inverse(n);
+    LUscalarMatrix(A).inv(inverse);
+    for (int i = 0; i < n; ++i)
+    {
+        DynamicList<term> terms;
+        for (int j = 0; j < n; ++j) for (const term& t : b[j])
+        {
+            terms.append({t.node, a[i]*inverse(i, j)*t.weight});
+        }
+        all.append({nodes[i], a[i], summed(terms)});
+    }
+}
+
+
+Foam::List<Foam::mortarWeights::contribution> Foam::mortarWeights::ofAllRanks
+(
+    const feMesh& fe,
+    const List<contribution>& mine
+)
+{
+    if (!Pstream::parRun()) return mine;
+    Map<label> nodeOf;
+    forAll(fe.copies().neighbours(), i) for (const label n : fe.copies().shared(i)) nodeOf.set(fe.key()[n], n);
+
+    // Of nodes that others have: to all, in the same order
+    DynamicList<contribution> all;
+    DynamicList<label> labels;
+    DynamicList<scalar> scalars;
+    for (const contribution& c : mine)
+    {
+        if (!nodeOf.found(fe.key()[c.node]))
+        {
+            all.append(c);
+            continue;
+        }
+        labels.append(fe.key()[c.node]);
+        labels.append(c.terms.size());
+        scalars.append(c.a);
+        for (const term& t : c.terms)
+        {
+            labels.append(t.node);
+            scalars.append(t.weight);
+        }
+    }
+    const labelList allLabels(gatherAll<label>(labels));
+    const scalarList allScalars(gatherAll<scalar>(scalars));
+    for (label l = 0, s = 0; l < allLabels.size();)
+    {
+        const auto found = nodeOf.cfind(allLabels[l]);
+        contribution c{found.found() ? *found : -1, allScalars[s++], List<term>(allLabels[l + 1])};
+        l += 2;
+        for (term& t : c.terms) t = {allLabels[l++], allScalars[s++]};
+        if (c.node >= 0) all.append(c);
+    }
+    return all;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::List<Foam::List<Foam::interfaceSurface::term>> Foam::mortarWeights::rows
+(
+    const feRegion& region,
+    const labelUList& patches,
+    const labelUList& nodes,
+    const vectorField& x,
+    const interfaceSurface& other
+) const
+{
+    List<List<term>> rows(interpolationWeights::rows(region, patches, nodes, x, other));
+    const feMesh& fe = region.fe();
+    const labelHashSet shared(rim(fe, patches));
+    Map<List<term>> held;
+    Map<label> place;
+    forAll(nodes, i)
+    {
+        if (shared.found(nodes[i])) held.insert(nodes[i], rows[i]);
+        else place.insert(nodes[i], i);
+    }
+
+    DynamicList<contribution> mine;
+    for (const label patchi : patches) for (const elementBlock& block : fe.patchBlocks(patchi))
+    {
+        withFaceElement(block, [&](auto tag)
+        {
+            for (label f = 0; f < block.size(); ++f)
+            {
+                addFace<decltype(tag)>(block.element(f), x, held, other, mine);
+            }
+        });
+    }
+
+    List<DynamicList<term>> sums(nodes.size());
+    scalarField a(nodes.size(), 0);
+    for (const contribution& c : ofAllRanks(fe, mine))
+    {
+        const auto found = place.cfind(c.node);
+        if (!found.found()) continue;
+        a[*found] += c.a;
+        sums[*found].append(c.terms);
+    }
+    forAll(nodes, i)
+    {
+        if (sums[i].empty()) continue;
+        for (term& t : sums[i]) t.weight /= a[i];
+        rows[i] = collected(sums[i]);
+    }
+    return rows;
+}
+
+
+// ************************************************************************* //
