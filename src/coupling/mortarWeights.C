@@ -24,9 +24,9 @@ namespace Foam
 namespace Foam
 {
 
-//- Test functions chi_i = sum_j T_ij N_j of the nodes that are not on the rim. The
-//  others' are given to them such that fields linear in xi stay: chi_i holds of N_j
-//  what u_i is of u_j, extrapolated
+//- Test functions chi_i = sum_j T_ij N_j of the nodes i that are not on the rim. Of
+//  N_j on the rim each has the part T_ij with which a field that is linear in xi would
+//  be extrapolated, u_j = sum_i T_ij u_i
 template<class F>
 static scalarSquareMatrix testFunctions(const bool* onRim)
 {
