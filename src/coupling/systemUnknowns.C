@@ -6,7 +6,6 @@
 
 #include "systemUnknowns.H"
 #include "gatherAll.H"
-#include "OStringStream.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -124,12 +123,11 @@ void Foam::systemUnknowns::number()
 }
 
 
-void Foam::systemUnknowns::constrain()
+bool Foam::systemUnknowns::constrain()
 {
-    constraints_.reset(new dofConstraints(map_()));
     for (const feRegion& region : regions_) region.constrain(constraints_());
     for (feInterface& i : interfaces_) i.constrain(constraints_());
-    constraints_->close();
+    return constraints_->close();
 }
 
 
@@ -232,6 +230,7 @@ Foam::systemUnknowns::systemUnknowns
     interfaces_(interfaces)
 {
     number();
+    constraints_.reset(new dofConstraints(map_()));
     constrain();
     makeBlocks();
     for (const feInterface& i : interfaces_) reportHeld(i);
@@ -240,6 +239,18 @@ Foam::systemUnknowns::systemUnknowns
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::systemUnknowns::renewConstraints()
+{
+    bool move = false;
+    for (const feRegion& region : regions_) move = move || region.constraintsMove();
+    if (!move) return;
+    constraints_->reopen();
+    if (constrain()) return;
+    FatalErrorInFunction
+        << "The constraints join other unknowns than at the start" << abort(FatalError);
+}
+
 
 Foam::label Foam::systemUnknowns::nFree() const
 {
@@ -267,16 +278,9 @@ Foam::string Foam::systemUnknowns::describe(const label global, label& block) co
                 {
                     const label cmpt = u - region.unknowns().start(f, i);
                     if (cmpt < 0 || cmpt >= layout.nComponents(f)) continue;
-                    const label e = layout.entity(f, i);
-                    OStringStream os;
-                    os  << layout.componentName(f, cmpt) << " of region " << region.name()
-                        << " at "
-                        << (
-                               e < region.fe().nNodes()
-                             ? region.fe().points()[e]
-                             : region.mesh().cellCentres()[i]
-                           );
-                    what = os.str();
+                    what =
+                        layout.componentName(f, cmpt) + " of region " + region.name() + ' '
+                      + layout.place(f, i);
                 }
             }
         }

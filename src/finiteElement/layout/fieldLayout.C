@@ -6,6 +6,7 @@
 
 #include "fieldLayout.H"
 #include "globalIndex.H"
+#include "OStringStream.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -13,9 +14,27 @@ Foam::fieldLayout::fieldLayout(const feMesh& fe, const List<field>& fields)
 :
     fe_(fe),
     fields_(fields),
-    cells_(false)
+    cells_(false),
+    nBodies_(0)
 {
-    for (const field& f : fields_) cells_ = cells_ || f.on == support::CELLS;
+    for (const field& f : fields_)
+    {
+        cells_ = cells_ || f.on == support::CELLS;
+        nBodies_ = max(nBodies_, f.nBodies);
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::fieldLayout::first(const label f) const
+{
+    switch (fields_[f].on)
+    {
+        case support::CELLS:    return fe_.nNodes();
+        case support::BODIES:   return firstBody();
+        default:                return 0;
+    }
 }
 
 
@@ -33,20 +52,15 @@ Foam::label Foam::fieldLayout::size(const label f) const
     {
         case support::VERTICES: return fe_.nVertices();
         case support::NODES:    return fe_.nNodes();
+        case support::BODIES:   return nBodies_;
         default:                return fe_.mesh().nCells();
     }
 }
 
 
-Foam::label Foam::fieldLayout::entity(const label f, const label value) const
-{
-    return fields_[f].on == support::CELLS ? fe_.nNodes() + value : value;
-}
-
-
 Foam::label Foam::fieldLayout::value(const label f, const label entity) const
 {
-    const label i = fields_[f].on == support::CELLS ? entity - fe_.nNodes() : entity;
+    const label i = entity - first(f);
     return i < size(f) ? max(i, label(-1)) : -1;
 }
 
@@ -54,14 +68,18 @@ Foam::label Foam::fieldLayout::value(const label f, const label entity) const
 Foam::labelList Foam::fieldLayout::keys() const
 {
     labelList key(fe_.key());
-    if (!cells_) return key;
+    if (!cells_ && !nBodies_) return key;
 
     const label nNodeKeys = returnReduce(fe_.nNodes(), sumOp<label>());
     const globalIndex cells(fe_.mesh().nCells());
     key.setSize(nEntities());
-    for (label c = 0; c < fe_.mesh().nCells(); ++c)
+    for (label e = fe_.nNodes(); e < firstBody(); ++e)
     {
-        key[fe_.nNodes() + c] = nNodeKeys + cells.toGlobal(c);
+        key[e] = nNodeKeys + cells.toGlobal(e - fe_.nNodes());
+    }
+    for (label e = firstBody(); e < nEntities(); ++e)
+    {
+        key[e] = nNodeKeys + cells.size() + e - firstBody();
     }
     return key;
 }
@@ -77,6 +95,19 @@ Foam::word Foam::fieldLayout::componentName(const label f, const label cmpt) con
 {
     const field& at = fields_[f];
     return at.is == kind::VECTOR ? word(at.name + '.' + Foam::name(fe_.axis(cmpt))) : at.name;
+}
+
+
+Foam::string Foam::fieldLayout::place(const label f, const label value) const
+{
+    OStringStream os;
+    switch (fields_[f].on)
+    {
+        case support::CELLS:    os << "at " << fe_.mesh().cellCentres()[value]; break;
+        case support::BODIES:   os << "of rigid body " << value; break;
+        default:                os << "at " << fe_.points()[value];
+    }
+    return os.str();
 }
 
 

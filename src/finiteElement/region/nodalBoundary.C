@@ -284,7 +284,7 @@ void Foam::nodalBoundary::check
             << " nodalProfile, ...), slip, fixedNormalSlip, fixedComponents,"
             << " symmetry, symmetryPlane, wedge, cyclic, empty; for free boundaries"
             << " calculated, zeroGradient, and the loads openBoundary, traction,"
-            << " followerPressure, springs" << exit(FatalError);
+            << " followerPressure, springs; in a solid rigidPatch" << exit(FatalError);
     }
 }
 
@@ -367,6 +367,13 @@ bool Foam::nodalBoundary::project
 
     // Partners of cyclic patches, without an exchange where there are none
     return cyclic_.follow(u) || changed;
+}
+
+
+Foam::List<Foam::vector> Foam::nodalBoundary::givenDirections(const label node) const
+{
+    if (!planes_.found(node)) return List<vector>();
+    return List<vector>(frameAt(node, fe_.mesh().time().timeOutputValue()).n);
 }
 
 

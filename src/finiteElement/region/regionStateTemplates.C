@@ -107,6 +107,7 @@ void Foam::fieldPart<FieldType>::read(Istream& is)
 template<class FieldType>
 void Foam::fieldPart<FieldType>::map(const stateMap& m)
 {
+    if (on() == fieldLayout::support::BODIES) return;
     f().forLevels([&](const char*, auto& now, auto& old)
     {
         // Some parts are empty

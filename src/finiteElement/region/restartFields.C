@@ -117,6 +117,8 @@ void Foam::restartFields::forLists(const F& f) const
 {
     for (const statePart& part : region_.state().parts())
     {
+        // What is on bodies, their nodes tell
+        if (part.on() == fieldLayout::support::BODIES) continue;
         const HashTable<vectorField*> vectors(part.vectors());
         const HashTable<scalarField*> scalars(part.scalars());
         typedef fieldLayout::support on;

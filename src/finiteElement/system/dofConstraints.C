@@ -23,6 +23,7 @@ bool Foam::dofConstraints::same(const row& r, const row& s)
     {
         if (r.terms[i].unknown != s.terms[i].unknown) return false;
         if (!close(r.terms[i].weight, s.terms[i].weight)) return false;
+        if (!close(r.terms[i].transposed, s.terms[i].transposed)) return false;
     }
     return true;
 }
@@ -161,7 +162,10 @@ Foam::Map<Foam::dofConstraints::row> Foam::dofConstraints::closed() const
                         << " refers to itself through unknown " << t.unknown
                         << exit(FatalError);
                 }
-                for (const term& m : master->terms) terms.append({m.unknown, t.weight*m.weight});
+                for (const term& m : master->terms)
+                {
+                    terms.append({m.unknown, t.weight*m.weight, t.transposed*m.transposed});
+                }
                 b += t.weight*master->b;
             }
             if (!any) continue;
@@ -176,8 +180,12 @@ Foam::Map<Foam::dofConstraints::row> Foam::dofConstraints::closed() const
             DynamicList<term> once;
             for (const term& t : terms)
             {
-                if (once.size() && once.last().unknown == t.unknown) once.last().weight += t.weight;
-                else once.append(t);
+                if (once.empty() || once.last().unknown != t.unknown) once.append(t);
+                else
+                {
+                    once.last().weight += t.weight;
+                    once.last().transposed += t.transposed;
+                }
             }
             r.terms.transfer(once);
             r.b = b;
@@ -331,7 +339,7 @@ void Foam::dofConstraints::condense(scalarField& r) const
     forAll(slaves_, k)
     {
         scalar& ri = r[slaves_[k]];
-        for (const term& t : rows_[k].terms) r[t.unknown] += t.weight*ri;
+        for (const term& t : rows_[k].terms) r[t.unknown] += t.transposed*ri;
         ri = 0;
     }
     forAll(row_, i) if (row_[i] == GIVEN) r[i] = 0;

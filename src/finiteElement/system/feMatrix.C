@@ -40,7 +40,8 @@ void Foam::elementScatter::gather
         p.nCmpts = layout.nComponents(f);
         p.first = on == fieldLayout::support::CELLS ? block.nNodes : 0;
         p.n =
-            on == fieldLayout::support::CELLS ? 1
+            on == fieldLayout::support::BODIES ? 0
+          : on == fieldLayout::support::CELLS ? 1
           : on == fieldLayout::support::NODES ? block.nNodes : block.nVertices();
         p.offset.setSize(block.size()*n, 0);
         for (label e = 0; e < block.size(); ++e) for (label i = p.first; i < p.first + p.n; ++i)
@@ -169,7 +170,7 @@ void Foam::feMatrix::addTied
         if (c.isTied(col)) for (const auto& t : c.masters(col)) addEntry(r, t.unknown, t.weight*v);
     };
     if (!c.isTied(row)) addRow(row, value);
-    else for (const auto& t : c.masters(row)) addRow(t.unknown, t.weight*value);
+    else for (const auto& t : c.masters(row)) addRow(t.unknown, t.transposed*value);
 }
 
 
@@ -224,6 +225,8 @@ Foam::feMatrix::feMatrix
 
     forAll(graph, I)
     {
+        // A node without elements, as that of a rigid body, has its own place
+        if (graph[I].empty() && &rows == &cols) graph[I].append(I);
         std::sort(graph[I].begin(), graph[I].end());
         graph[I].setSize(std::unique(graph[I].begin(), graph[I].end()) - graph[I].begin());
         nodeStart_[I + 1] = nodeStart_[I] + graph[I].size();
