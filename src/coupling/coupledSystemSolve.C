@@ -35,9 +35,12 @@ void Foam::coupledSystem::followAtStart()
 void Foam::coupledSystem::assemble(const bool tangent)
 {
     systemTimes::timer timer(times_, systemTimes::ASSEMBLY);
-    if (tangent) tangent_->K().clear();
+    feMatrix* K = tangent ? &tangent_->K() : nullptr;
+    unknowns_->renewConstraints();
+    if (K) K->clear();
     R_ = 0;
-    for (feRegion& region : regions_) region.assemble(R_, tangent ? &tangent_->K() : nullptr);
+    for (feRegion& region : regions_) region.assemble(R_, K);
+    for (feRegion& region : regions_) region.assembleBodies(R_, K);
 
     raw_ = R_;
     map().sum(raw_);

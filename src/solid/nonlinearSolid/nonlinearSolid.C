@@ -70,6 +70,8 @@ Foam::List<Foam::fieldLayout::field> Foam::nonlinearSolid::fields() const
     {
         all[PRESSURE] = {"solidPressure", layout::kind::SCALAR, elements_.pressureOn, dimPressure};
     }
+    const label nBodies = rigidBodies::count(pointD_());
+    if (nBodies) all.append(rigidBodies::fields(fe(), nBodies));
     return all;
 }
 
@@ -97,6 +99,10 @@ void Foam::nonlinearSolid::makeFields()
 {
     assembly_.reset(new solidAssembly(fe(), elements_, mechanicalProperties_));
     boundary_.reset(new nodalBoundary(fe(), pointD_()));
+    bodies_.reset
+    (
+        new rigidBodies(fe(), pointD_(), boundary_(), elements_.mixed ? 2 : 1, rigidPoints_)
+    );
     // Together: some ranks may have no node
     if (returnReduce(motion_.size() != fe().nNodes(), orOp<bool>())) initialise();
 
@@ -146,6 +152,7 @@ Foam::nonlinearSolid::nonlinearSolid(fvMesh& mesh, const dictionary& linearSolve
     discretise();
     state_.add("D", fieldLayout::support::NODES, motion_);
     if (elements_.mixed) state_.add("solidPressure", elements_.pressureOn, pressure_);
+    if (bodies_->size()) state_.add("rigidPoints", fieldLayout::support::BODIES, rigidPoints_);
     state_.shift();
 }
 
@@ -155,6 +162,7 @@ Foam::nonlinearSolid::nonlinearSolid(fvMesh& mesh, const dictionary& linearSolve
 void Foam::nonlinearSolid::constrain(dofConstraints& c) const
 {
     boundary_->constrain(unknowns(), DISPLACEMENT, c);
+    bodies_->constrain(unknowns(), timeScheme(), c);
     if (!elements_.mixed) return;
     if (elements_.pressureOn == fieldLayout::support::VERTICES)
     {
@@ -180,6 +188,7 @@ void Foam::nonlinearSolid::predict(const scalar time)
     {
         forAll(D, n) if (D[n] != motion_.D[n]) motion_.setD(ts, n, D[n]);
     }
+    bodies_->predict(ts, time, motion_);
 }
 
 
@@ -200,10 +209,23 @@ void Foam::nonlinearSolid::assemble(scalarField& R, feMatrix* K)
 }
 
 
+void Foam::nonlinearSolid::assembleBodies(scalarField& R, feMatrix* K)
+{
+    bodies_->assemble(timeScheme(), stageTime(), g_.value(), unknowns(), R, K);
+}
+
+
+Foam::List<Foam::rigidMotion> Foam::nonlinearSolid::rigidMotions() const
+{
+    return bodies_->motions(timeScheme(), g_.value());
+}
+
+
 void Foam::nonlinearSolid::update(const scalarField& dx)
 {
     const feTimeScheme& ts = timeScheme();
     forAll(motion_.D, n) motion_.add(ts, n, unknowns().at(DISPLACEMENT, n, dx));
+    bodies_->update(ts, unknowns(), dx, motion_);
     forAll(pressure_.v, i)
     {
         pressure_.setStage(ts, i, pressure_.v[i] + dx[unknowns().start(PRESSURE, i)]);
@@ -214,6 +236,7 @@ void Foam::nonlinearSolid::update(const scalarField& dx)
 Foam::scalar Foam::nonlinearSolid::residualScale(const label field) const
 {
     if (field == DISPLACEMENT) return 0;
+    if (field != PRESSURE || !elements_.mixed) return bodies_->residualScale(field);
     scalar sum = 0;
     forAll(motion_.D, n) if (unknowns().map().owned(unknowns().node(n))) sum += magSqr(motion_.D[n]);
     return Foam::pow(elementSize_, fe().dim() - 1)*::sqrt(returnReduce(sum, sumOp<scalar>()));
@@ -222,13 +245,15 @@ Foam::scalar Foam::nonlinearSolid::residualScale(const label field) const
 
 Foam::scalar Foam::nonlinearSolid::unknownScale(const label field) const
 {
-    return field == DISPLACEMENT ? elementSize_/timeScheme().displacementByUnknown() : 0;
+    // Rotations have none
+    const scalar size = layout()[field].dimensions == dimLength ? elementSize_ : 1;
+    return field == PRESSURE && elements_.mixed ? 0 : size/timeScheme().displacementByUnknown();
 }
 
 
 Foam::string Foam::nonlinearSolid::singularAdvice(const label field) const
 {
-    if (field == PRESSURE)
+    if (field == PRESSURE && elements_.mixed)
     {
         return
             "The pressure of an incompressible material is undetermined where its whole"
