@@ -182,13 +182,14 @@ Foam::coupledSystem::coupledSystem(Time& runTime)
         )
     ),
     newton_(subDictOrEmpty(solution_, "newton")),
+    staticStage_(solution_),
     writer_(*this),
     deltaT0_(runTime.deltaTValue()),
     nIterations_(0),
     failedNorm_(-1)
 {
     trapsOff::inThreads();
-    reportUnknownEntries(solution_, {"newton", "linearSolver", "timeStepControl", "initialRates"});
+    reportUnknownEntries(solution_, {"newton", "linearSolver", "timeStepControl", "initialRates", "staticStage"});
     reportControls(runTime);
     readRegions();
     readInterfaces();
@@ -196,6 +197,7 @@ Foam::coupledSystem::coupledSystem(Time& runTime)
     const bool consistent = consistentRates(solution_);
     if (readState()) return;
     followAtStart();
+    staticStage_.select(regions_, runTime_.value());
     if (consistent) startConsistently();
 }
 

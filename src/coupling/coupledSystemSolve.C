@@ -179,6 +179,7 @@ void Foam::coupledSystem::logIteration(const label nLinear, const scalar part) c
 
 void Foam::coupledSystem::predict()
 {
+    staticStage_.select(regions_, kept_.at.time);
     for (feRegion& region : regions_)
     {
         region.timeScheme().setDeltaT(runTime_.deltaTValue(), deltaT0_);
@@ -279,8 +280,9 @@ bool Foam::coupledSystem::smallerMayHelp()
     for (const feRegion& region : regions_) steady = steady && region.timeScheme().steady();
 
     // A steady step that begins with the same residual is the same problem
-    const bool same = steady && newton_.firstNorm() == failedNorm_;
-    failedNorm_ = newton_.firstNorm();
+    const scalar size = ::sqrt(sumSqr(norms_->first()));
+    const bool same = steady && size == failedNorm_;
+    failedNorm_ = size;
     return
         !same && outcome != newtonControl::OUT_OF_MEMORY
      && (outcome != newtonControl::SINGULAR || times_.nSteps > 0);

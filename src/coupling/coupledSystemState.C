@@ -82,6 +82,7 @@ Foam::coupledSystem::moment Foam::coupledSystem::now() const
 
 void Foam::coupledSystem::set(const moment& m)
 {
+    staticStage_.select(regions_, m.time - m.deltaT);
     forAll(regions_, r)
     {
         regions_[r].state().set(m.regions[r]);

@@ -59,6 +59,7 @@ void Foam::stepControl::choose()
     meet(memory_.pace, "pace");
     meet(nextWriteTime(), "writeTime");
     for (const scalar time : control_->times()) meet(time, "times");
+    meet(staticStage_.endTime(), "staticStage");
     if (!control_->keepsPace() || size_.by != "deltaT") meet(runTime_.endTime().value(), "endTime");
 
     // At once, or by two steps of the same length
@@ -84,6 +85,7 @@ Foam::stepControl::stepControl(Time& runTime, const dictionary& solution)
     ),
     runTime_(runTime),
     control_(timeStepControl::New(subDictOrEmpty(solution, "timeStepControl"))),
+    staticStage_(solution),
     memory_({0, 0}),
     limitedBy_("deltaT"),
     size_({0, word::null}),
@@ -102,14 +104,19 @@ Foam::stepControl::stepControl(Time& runTime, const dictionary& solution)
 
 bool Foam::stepControl::next()
 {
-    // Time::run() ends where less than half of the last step is left
+    // Time::run() ends where less than half of the last step is left: after a
+    // static stage that of the steps to come
+    readControlDeltaT();
+    if (staticStage_.endTime() > -GREAT && runTime_.deltaTValue() > memory_.controlDeltaT)
+    {
+        runTime_.setDeltaT(memory_.controlDeltaT, false);
+    }
     const scalar left = runTime_.endTime().value() - runTime_.value();
     if (!control_->keepsPace() && left > smallPart*memory_.deltaT && left <= 0.5*runTime_.deltaTValue())
     {
         runTime_.setDeltaT(left, false);
     }
     if (!runTime_.run()) return false;
-    readControlDeltaT();
     start_ = runTime_;
     choose();
     trying_ = true;

@@ -62,7 +62,8 @@ void Foam::stepControl::readMemory()
 void Foam::stepControl::readControlDeltaT()
 {
     const dictionary& dict = runTime_.controlDict();
-    const scalar deltaT = dict.get<scalar>("deltaT");
+    const bool isStatic = staticStage_.has(runTime_.value());
+    const scalar deltaT = isStatic ? staticStage_.deltaT() : dict.get<scalar>("deltaT");
     if (!(deltaT > 0 && deltaT < GREAT))
     {
         FatalIOErrorInFunction(dict)
@@ -71,7 +72,7 @@ void Foam::stepControl::readControlDeltaT()
     if (deltaT == memory_.controlDeltaT) return;
     if (memory_.controlDeltaT > 0)
     {
-        Info<< "deltaT of controlDict is now " << deltaT << " and was "
+        Info<< "deltaT of " << (isStatic ? "staticStage" : "controlDict") << " is now " << deltaT << " and was "
             << memory_.controlDeltaT << ": the next step has it" << nl;
     }
     memory_ = {deltaT, min(deltaT, control_->maxDeltaT(deltaT))};
