@@ -85,13 +85,23 @@ void Foam::rigidPatchCondition::readDirections
 
 void Foam::rigidPatchCondition::checkInertia() const
 {
-    // Of a body of positive mass each moment is less than the sum of the others
-    const vector l(eigenValues(inertia_));
-    if (l.x() >= 0 && l.z() < GREAT && l.z() <= (1 + 1e-6)*(l.x() + l.y())) return;
+    // The second moments of its mass are positive: so are all principal minors
+    const symmTensor E(0.5*tr(inertia_)*symmTensor::I - inertia_);
+    const scalar tolerance = -1e-6*mag(inertia_);
+    const vector diagonal(E.xx(), E.yy(), E.zz());
+    const vector minors
+    (
+        E.yy()*E.zz() - sqr(E.yz()), E.xx()*E.zz() - sqr(E.xz()), E.xx()*E.yy() - sqr(E.xy())
+    );
+    if
+    (
+        cmptMin(diagonal) >= tolerance && cmptMin(minors) >= -sqr(tolerance)
+     && det(E) >= tolerance*sqr(tolerance) && mag(inertia_) < GREAT
+    ) return;
     FatalIOErrorInFunction(dict_)
-        << "Found inertia " << inertia_ << " with principal moments " << l
-        << ", expected (xx xy xz yy yz zz) of a body: none negative, and none larger than"
-        << " the sum of the other two" << exit(FatalIOError);
+        << "Found inertia " << inertia_ << ", expected (xx xy xz yy yz zz) of a body: no"
+        << " principal moment negative, nor larger than the sum of the other two"
+        << exit(FatalIOError);
 }
 
 

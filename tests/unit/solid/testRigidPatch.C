@@ -149,9 +149,9 @@ TEST(rigidPatch, isComplainedAbout)
         {"rotation { z { moment 1; motion 0; } }", "both moment and motion of direction z"},
         {"translation { z { moment 1; } }", "neither force nor motion of direction z"},
         {"mass -1;", "mass"},
-        {"inertia (1 0 0 1 0 3);", "none larger than the sum of the other two"},
-        {"inertia (-1 0 0 1 0 1);", "none negative"},
-        {"centre 3;", "vector"},
+        {"inertia (1 0 0 1 0 3);", "nor larger than the sum of the other two"},
+        {"inertia (-1 0 0 1 0 1);", "principal moment negative"},
+        {"centre 3;", "Expected a '('"},
     };
     for (const auto& wrong : cases)
     {
