@@ -26,7 +26,7 @@ Foam::solidMaterial::solidMaterial(const dictionary& dict)
 
 Foam::wordList Foam::solidMaterial::entries(const wordList& law)
 {
-    wordList all({"type", "rho", "cellZone"});
+    wordList all({"type", "rho", "cellZone", "Prony", "damping"});
     all.append(law);
     return all;
 }

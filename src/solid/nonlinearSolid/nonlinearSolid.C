@@ -98,6 +98,7 @@ void Foam::nonlinearSolid::findHeldPressures()
 void Foam::nonlinearSolid::makeFields()
 {
     assembly_.reset(new solidAssembly(fe(), elements_, mechanicalProperties_));
+    assembly_->setSize(history_);
     boundary_.reset(new nodalBoundary(fe(), pointD_()));
     bodies_.reset
     (
@@ -152,6 +153,7 @@ Foam::nonlinearSolid::nonlinearSolid(fvMesh& mesh, const dictionary& linearSolve
     discretise();
     state_.add("D", fieldLayout::support::NODES, motion_);
     if (elements_.mixed) state_.add("solidPressure", elements_.pressureOn, pressure_);
+    if (history_.size()) state_.add("viscous", fieldLayout::support::CELLS, history_);
     if (bodies_->size()) state_.add("rigidPoints", fieldLayout::support::BODIES, rigidPoints_);
     state_.shift();
 }
@@ -199,6 +201,14 @@ void Foam::nonlinearSolid::assemble(scalarField& R, feMatrix* K)
     volume_ = 0;
     minDetJ_ = assembly_->assemble(stage_(), force_, volume_, K, scatter_);
 
+    if (assembly_->viscous())
+    {
+        assembly_->addViscous
+        (
+            stage_(), timeScheme(), stageVelocity_, motion_.D, history_, force_, K, scatter_
+        );
+    }
+
     const solidLoads loads(unknowns());
     loads.addSurface(pointD_(), stage_(), stageTime(), force_, K);
     loads.addSupports(pointD_(), stage_(), stageVelocity_, timeScheme().velocityByUnknown(), force_, K);
@@ -230,6 +240,12 @@ void Foam::nonlinearSolid::update(const scalarField& dx)
     {
         pressure_.setStage(ts, i, pressure_.v[i] + dx[unknowns().start(PRESSURE, i)]);
     }
+}
+
+
+void Foam::nonlinearSolid::advance()
+{
+    assembly_->finish(stage_(), timeScheme(), stageVelocity_, motion_.D, history_);
 }
 
 

@@ -107,6 +107,7 @@ Foam::labelList Foam::solidAssembly::readMaterials(const dictionary& dict)
     names_.setSize(entries.size());
     loops_.setSize(entries.size());
     mixedLoops_.setSize(entries.size());
+    viscosity_.setSize(entries.size());
     labelList cellMaterial(fe_.mesh().nCells(), -1);
 
     forAll(entries, i)
@@ -135,6 +136,14 @@ void Foam::solidAssembly::addMaterial(const dictionary& dict, const label materi
     materials_.set(materiali, solidMaterial::New(dict));
     solidMaterial& material = materials_[materiali];
     material.setAxes({fe_.axis(0), fe_.axis(1), fe_.axis(2)});
+    viscosity_.set(materiali, new solidViscosity(dict));
+    if (elements_.enhanced && !viscosity_[materiali].empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Material '" << names_[materiali] << "' has Prony or damping, which elements "
+            << elements_.name << " have not." << nl
+            << "Choose other elements in feSchemes, as quadratic or Q1Q0" << exit(FatalIOError);
+    }
 
     const mixedMaterial* mixed = dynamic_cast<const mixedMaterial*>(&material);
     if (mixed && elements_.mixed)
