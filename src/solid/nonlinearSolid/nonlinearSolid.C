@@ -287,7 +287,7 @@ void Foam::nonlinearSolid::derive()
     scalarField p(pressure_.v);
     forAll(p, i) p[i] = pressure_.atEnd(timeScheme(), i);
     p = scalarField(assembly_->cellPressure(p));
-    assembly_->stress(motion_.D, p, sigma_.primitiveFieldRef());
+    assembly_->stress(motion_.D, p, history_, sigma_.primitiveFieldRef());
     if (elements_.mixed)
     {
         solidPressure_->primitiveFieldRef() = p;

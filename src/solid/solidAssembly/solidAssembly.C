@@ -327,10 +327,35 @@ Foam::scalar Foam::solidAssembly::assemble
 }
 
 
+template<class E>
+Foam::Ten<Foam::scalar, 3> Foam::solidAssembly::viscousStress
+(
+    const label blocki,
+    const label cell,
+    const viscousHistory& history
+) const
+{
+    const solidViscosity& viscosity = viscosity_[material_[blocki]];
+    constexpr label nQ = referenceTable<E>::nQ;
+    Ten<scalar, E::dim> sum = Ten<scalar, E::dim>::zero();
+    for (label i = 0; i < viscosity.nBranches(); ++i) for (label q = 0; q < nQ; ++q)
+    {
+        sum += (viscosity.g(i)/nQ)*history.stress<E::dim>(history.now, q, 1 + i, cell);
+    }
+    Ten<scalar, 3> S = Ten<scalar, 3>::zero();
+    for (int a = 0; a < E::dim; ++a) for (int b = 0; b < E::dim; ++b)
+    {
+        S(fe_.axis(a), fe_.axis(b)) = sum(a, b);
+    }
+    return S;
+}
+
+
 void Foam::solidAssembly::stress
 (
     const vectorField& D,
     const scalarField& p,
+    const viscousHistory& history,
     symmTensorField& sigma
 ) const
 {
@@ -367,7 +392,8 @@ void Foam::solidAssembly::stress
                 const ten F = (dD & inv(dX)).addDiag(1);
 
                 // sigma = P F^T/J
-                const ten P = law ? law->Piso(F) : material(b).P(F);
+                ten P = law ? law->Piso(F) : material(b).P(F);
+                if (history.size()) P += F & viscousStress<E>(b, block.cells[e], history);
                 ten s = (1/det(F))*(P & F.t());
                 if (law) s.addDiag(-p[block.cells[e]]);
                 sigma[block.cells[e]] =
