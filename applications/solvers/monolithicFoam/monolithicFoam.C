@@ -17,6 +17,7 @@ Description
 #include "coupledSystem.H"
 #include "coupledInterfaceReport.H"
 #include "stepControl.H"
+#include "regionRemeshing.H"
 #include "timeError.H"
 #include "exitOnError.H"
 #include "refuseBlanks.H"
@@ -63,6 +64,7 @@ int main(int argc, char *argv[])
 
     coupledSystem problem(runTime);
     const coupledInterfaceReport interfaces(runTime, problem);
+    remeshing remesh(problem);
     stepControl step(runTime, problem.solution());
     problem.report();
     if (args.found("dry-run"))
@@ -87,11 +89,17 @@ int main(int argc, char *argv[])
                 const string where(problem.placeOfFailure());
                 problem.restore();
                 step.bisect(problem.outcome(), where, problem.smallerMayHelp());
+                if (problem.newton().outcome() == newtonControl::INVERTED_ELEMENT && remesh.update(true))
+                {
+                    problem.store();
+                    error.store();
+                }
             }
         }
         if (step.failed()) stop(runTime, problem, step);
 
         problem.advance();
+        remesh.update();
         runTime.write();
 
         problem.reportTimes();

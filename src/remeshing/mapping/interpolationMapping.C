@@ -1,0 +1,96 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "interpolationMapping.H"
+#include "addToRunTimeSelectionTable.H"
+#include "unknownEntries.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace meshMappings
+{
+    defineTypeNameAndDebug(interpolation, 0);
+    addToRunTimeSelectionTable(meshMapping, interpolation, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::elementSearch::place Foam::meshMappings::interpolation::find
+(
+    const source& old,
+    const point& x,
+    const string& what
+) const
+{
+    const elementSearch::place place(old.search.find(x, tolerance_));
+    if (place.block < 0)
+    {
+        FatalErrorInFunction
+            << "Region " << old.fe.mesh().name() << ": a new " << what.c_str() << " at " << x
+            << " is outside of the old mesh, by " << place.moved
+            << " of the size of the nearest element; the tolerance of the mapping is " << tolerance_
+            << '.' << nl << "Give the mapping a larger tolerance, or the boundary a finer mesh"
+            << exit(FatalError);
+    }
+    return place;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::meshMappings::interpolation::interpolation(const dictionary& coeffs)
+:
+    tolerance_(coeffs.getOrDefault<scalar>("tolerance", 0.1))
+{
+    reportUnknownEntries(coeffs, {"tolerance"});
+    if (!(tolerance_ > 0 && tolerance_ < GREAT))
+    {
+        FatalIOErrorInFunction(coeffs)
+            << "tolerance is " << tolerance_ << ", expected a number > 0" << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::meshMappings::interpolation::map(const source& old, const feMesh& now, stateMap& m) const
+{
+    const auto setSize = [](valueMap& map, const label n)
+    {
+        map.from.setSize(n);
+        map.weight.setSize(n);
+    };
+    const auto keep = [](valueMap& map, const label i, const label from)
+    {
+        map.from[i] = labelList(1, from);
+        map.weight[i] = scalarList(1, scalar(1));
+    };
+    setSize(m.nodes, now.nNodes());
+    setSize(m.vertices, now.nVertices());
+    setSize(m.cells, now.mesh().nCells());
+
+    const labelList kept(keptNodes(old, now));
+    forAll(kept, n)
+    {
+        if (kept[n] >= 0)
+        {
+            keep(m.nodes, n, kept[n]);
+            if (n < now.nVertices()) keep(m.vertices, n, kept[n]);
+            continue;
+        }
+        const elementSearch::place place(find(old, now.points()[n], "node"));
+        old.search.weights(place, m.nodes.from[n], m.nodes.weight[n]);
+        if (n < now.nVertices()) old.search.vertexWeights(place, m.vertices.from[n], m.vertices.weight[n]);
+    }
+    forAll(m.cells.from, c) keep(m.cells, c, old.cellMap[c]);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,402 @@
+/*---------------------------------------------------------------------------*\
+    monolithicFoam: finite-element fluid-structure interaction for OpenFOAM
+    Copyright (C) 2026 the monolithicFoam authors
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "regionRemeshing.H"
+#include "simplexExchange.H"
+#include "meshBackup.H"
+#include "gatherAll.H"
+#include "elementQuality.H"
+#include "clockValue.H"
+#include "wallPolyPatch.H"
+#include "points0MotionSolver.H"
+#include "subDictOrEmpty.H"
+#include "unknownEntries.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static IOobject dictIO(const feRegion& region)
+{
+    return IOobject
+    (
+        "remeshDict", region.mesh().time().constant(), region.mesh(),
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+}
+
+
+static vectorField present(const feRegion& region)
+{
+    return region.fe().points() + region.motion().D;
+}
+
+
+//- Mean length of the edges at the vertices of the reference
+static scalarField meanEdges(const feMesh& fe)
+{
+    scalarField sum(fe.nNodes(), 0), n(sum);
+    for (const elementBlock& block : fe.blocks()) withElement(block, [&](auto tag)
+    {
+        typedef decltype(tag) E;
+        for (label e = 0; e < block.size(); ++e) for (const auto& edge : E::edges)
+        {
+            const label a = block.element(e)[edge[0]], b = block.element(e)[edge[1]];
+            const scalar l = mag(fe.points()[b] - fe.points()[a]);
+            for (const label v : {a, b})
+            {
+                sum[v] += l;
+                n[v] += 1;
+            }
+        }
+    });
+    fe.copies().sum(sum);
+    fe.copies().sum(n);
+    return sum/max(n, scalar(1));
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Object>
+bool Foam::regionRemeshing::exact<Object>::writeObject
+(
+    IOstream::streamFormat format,
+    IOstream::versionNumber version,
+    IOstream::compressionType compression,
+    const bool valid
+) const
+{
+    const unsigned digits = IOstream::defaultPrecision(17);
+    const bool ok = Object::writeObject(format, version, compression, valid);
+    IOstream::defaultPrecision(digits);
+    return ok;
+}
+
+
+void Foam::regionRemeshing::findPatches()
+{
+    DynamicList<label> patches;
+    for (const feInterface& i : system_.interfaces()) if (&i.fluid() == &region_) patches.append(i.fluidPatches());
+    if (patches.empty())
+    {
+        for (const polyPatch& pp : region_.mesh().boundaryMesh()) if (isA<wallPolyPatch>(pp)) patches.append(pp.index());
+    }
+    patches_.transfer(patches);
+}
+
+
+Foam::IOobject Foam::regionRemeshing::sizesIO(const IOobject::readOption read) const
+{
+    return IOobject("remeshSize", region_.mesh().time().timeName(), region_.mesh(), read, IOobject::AUTO_WRITE);
+}
+
+
+void Foam::regionRemeshing::makeSizes()
+{
+    const pointMesh& points = pointMesh::New(region_.mesh());
+    const IOobject points0(points0MotionSolver::points0IO(region_.mesh()));
+    const bool exchanged =
+        points0.name() == "points0" && points0.instance() != region_.mesh().time().constant();
+    if (exchanged)
+    {
+        keepPoints0(pointIOField(points0));
+        IOobject io(sizesIO(IOobject::MUST_READ));
+        if (io.typeHeaderOk<pointScalarField>())
+        {
+            sizes_.reset(new exact<pointScalarField>(io, points));
+            return;
+        }
+        WarningInFunction
+            << "The mesh of region " << region_.name() << " has been exchanged, but there is no "
+            << io.objectPath() << ": its cells have the sizes that are wanted" << endl;
+    }
+    scalarField size(meanEdges(region_.fe()));
+    size *= size_.getOrDefault<scalar>("factor", 1);
+    const scalar least = size_.getOrDefault<scalar>("min", 0), most = size_.getOrDefault<scalar>("max", GREAT);
+    for (scalar& s : size) s = min(max(s, least), most);
+    sizes_.reset
+    (
+        new exact<pointScalarField>
+        (
+            sizesIO(IOobject::NO_READ), points, dimensionedScalar(dimLength, Zero)
+        )
+    );
+    region_.fe().toPoints<scalar>(size, sizes_->primitiveFieldRef());
+}
+
+
+Foam::string Foam::regionRemeshing::makeMesh
+(
+    const labelUList& cells,
+    const vectorField& x,
+    const elementSearch& search,
+    meshExchange& e
+) const
+{
+    const feMesh& fe = region_.fe();
+    labelList nodes;
+    const simplexMesh old(simplicesOf(fe, x, cells, nodes));
+    simplexMesh now(old);
+    const auto size = [&](const point& p)
+    {
+        point at = Zero;
+        for (label a = 0; a < fe.dim(); ++a) at[fe.axis(a)] = p[a];
+        labelList vertices;
+        scalarList N;
+        search.vertexWeights(search.find(at, GREAT), vertices, N);
+        scalar s = 0;
+        forAll(vertices, i) s += N[i]*sizes_()[fe.vertexPoint()[vertices[i]]];
+        return s;
+    };
+    string failure;
+    if (!cells.empty()) failure = remesher_->remesh(old, size, now);
+    if (!failure.empty()) return failure;
+    failure = simplexExchange(fe, fe.movedPoints(region_.motion().D), cells).make(now, nodes, e);
+    if (!failure.empty()) return failure;
+
+    // New cells have the old one at their centre
+    label k = 0;
+    for (label& c : e.cellMap)
+    {
+        if (c >= 0) continue;
+        point centre = Zero;
+        for (const label p : now.cells[k]) for (label a = 0; a < fe.dim(); ++a)
+        {
+            centre[fe.axis(a)] += now.points[p][a]/now.cells[k].size();
+        }
+        const elementSearch::place place(search.find(centre, GREAT));
+        if (place.block < 0) return "a new cell is not in the old mesh";
+        c = search.cell(place);
+        ++k;
+    }
+    return "";
+}
+
+
+void Foam::regionRemeshing::apply
+(
+    meshExchange& e,
+    const label nKept,
+    const vectorField& x,
+    const elementSearch& search
+)
+{
+    fvMesh& mesh = region_.mesh();
+    const feMesh& old = region_.fe();
+
+    // Kept cells come first, in their order
+    const labelList pointMap(e.pointMap), cellMap(e.cellMap);
+    boolList made(cellMap.size(), false);
+    forAll(made, c) made[c] = c >= nKept;
+    scalarField size(old.nVertices());
+    forAll(size, n) size[n] = sizes_()[old.vertexPoint()[n]];
+
+    e.apply(mesh);
+    stateMap map;
+    map.points0 = mesh.points();
+    const feMesh now(mesh, old.order(), feRegion::readSchemes(mesh), map.points0);
+    mapping_->map({old, x, search, pointMap, cellMap, made}, now, map);
+    size = map.vertices(size);
+
+    discretise(map);
+    region_.fe().toPoints<scalar>(size, sizes_->primitiveFieldRef());
+}
+
+
+void Foam::regionRemeshing::discretise(const stateMap& map)
+{
+    List<const stateMap*> maps(system_.regions().size(), nullptr);
+    maps[regioni_] = &map;
+    system_.discretise(maps);
+    keepPoints0(map.points0);
+}
+
+
+void Foam::regionRemeshing::keepPoints0(const pointField& points0)
+{
+    points0_.clear();
+    points0_.reset
+    (
+        new exact<pointIOField>
+        (
+            IOobject
+            (
+                "points0", region_.mesh().time().timeName(), polyMesh::meshSubDir, region_.mesh(),
+                IOobject::NO_READ, IOobject::AUTO_WRITE
+            ),
+            points0
+        )
+    );
+}
+
+
+Foam::exchangeAudit Foam::regionRemeshing::audit()
+{
+    system_.linearise();
+    return exchangeAudit(region_, patches_);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::regionRemeshing::regionRemeshing(coupledSystem& system, const label regioni)
+:
+    system_(system),
+    regioni_(regioni),
+    region_(system.regions()[regioni]),
+    dict_(dictIO(region_)),
+    selection_(subDictOrEmpty(dict_, "region")),
+    remesher_(remesher::New(dict_, region_.mesh().time())),
+    mapping_(meshMapping::New(dict_)),
+    table_(region_, subDictOrEmpty(dict_, "bounds")),
+    size_(subDictOrEmpty(dict_, "size")),
+    triedAt_(-1)
+{
+    reportUnknownEntries
+    (
+        dict_,
+        {
+            "remesher", dict_.get<word>("remesher") + "Coeffs", "region", "criteria", "size", "bounds",
+            "mapping", mapping_->type() + "Coeffs"
+        }
+    );
+    reportUnknownEntries(size_, {"factor", "min", "max"});
+    const dictionary criteria(subDictOrEmpty(dict_, "criteria"));
+    for (const entry& e : criteria) criteria_.append(remeshCriterion::New(criteria.subDict(e.keyword())).ptr());
+    selection_.check(region_.fe());
+    findPatches();
+    makeSizes();
+    checkStart();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::regionRemeshing::checkStart() const
+{
+    const vectorField& X = region_.fe().points();
+    const vectorField none(X.size(), Zero);
+    for (const remeshCriterion& c : criteria_)
+    {
+        const label n = c.nAtStart({region_.fe(), X, none, region_.mesh().time()});
+        if (!n) continue;
+        FatalIOErrorInFunction(dict_)
+            << "Region " << region_.name() << ": " << n << " elements of the mesh are past a limit of"
+            << " criteria before anything has moved, so that the mesh would be exchanged without end."
+            << nl << "feCheckMesh -region " << region_.name() << " -worst 5 shows them: choose weaker limits"
+            << exit(FatalIOError);
+    }
+}
+
+
+bool Foam::regionRemeshing::wanted(const feRegion& region)
+{
+    IOobject io(dictIO(region));
+    return returnReduce(io.typeHeaderOk<IOdictionary>(), orOp<bool>());
+}
+
+
+Foam::labelHashSet Foam::regionRemeshing::bad(string& why, const bool inverted) const
+{
+    // A step that failed has left no displacement: go on at the rate of the one before
+    const motionField& motion = static_cast<const feRegion&>(region_).motion();
+    const scalar deltaT = region_.mesh().time().deltaTValue();
+    const vectorField x(present(region_)), dx(inverted ? vectorField(deltaT*motion.v) : vectorField(motion.D - motion.D0));
+    labelHashSet cells;
+    for (const remeshCriterion& c : criteria_)
+    {
+        const string reason(c.asks({region_.fe(), x, dx, region_.mesh().time()}, cells));
+        if (!reason.empty()) why += (why.empty() ? "" : ", ") + reason;
+    }
+    if (!inverted) return cells;
+
+    why = "an element was inverted";
+    const inversionForecast first(forecast(region_.fe(), x, dx));
+    if (first.element >= 0) cells.insert(region_.fe().blocks()[first.block].cells[first.element]);
+    return cells;
+}
+
+
+bool Foam::regionRemeshing::update(const bool inverted)
+{
+    const label index = region_.mesh().time().timeIndex();
+    if (index == triedAt_) return false;
+    string why;
+    const labelHashSet cells(bad(why, inverted));
+    if (why.empty()) return false;
+    triedAt_ = index;
+    return exchange(why, cells);
+}
+
+
+bool Foam::regionRemeshing::exchange(const string& why, const labelHashSet& bad)
+{
+    const clockValue start(true);
+    Info<< "Remeshing of region " << region_.name() << " at time " << region_.mesh().time().timeName()
+        << ": " << why.c_str() << nl;
+    const vectorField x(present(region_));
+    const elementSearch search(region_.fe(), x);
+    const labelList cells(selection_.cells(region_.fe(), bad));
+    if (!returnReduce(cells.size(), sumOp<label>()))
+    {
+        Info<< "    No cell that may be exchanged is bad: the mesh stays" << nl << endl;
+        return false;
+    }
+    meshExchange e;
+    const string mine(makeMesh(cells, x, search, e));
+    for (const string& failure : gatherAll<string>(List<string>(1, mine)))
+    {
+        if (failure.empty()) continue;
+        WarningInFunction
+            << "Region " << region_.name() << ": " << failure.c_str() << ". The old mesh stays" << endl;
+        return false;
+    }
+    const exchangeAudit before(audit());
+    meshBackup backup(region_);
+    const scalarField sizes(sizes_->primitiveField());
+    apply(e, region_.mesh().nCells() - cells.size(), x, search);
+    const exchangeAudit after(audit());
+    table_.report(before, after, start.elapsed());
+    const string broken(table_.broken(before, after));
+    if (!broken.empty())
+    {
+        WarningInFunction
+            << "Region " << region_.name() << ": " << broken.c_str() << ". The old mesh is put back" << endl;
+        backup.restoreMesh(region_.mesh(), e);
+        discretise(backup.map());
+        region_.state().set(backup.state());
+        sizes_->primitiveFieldRef() = sizes;
+        return false;
+    }
+    region_.derive();
+    return true;
+}
+
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+Foam::remeshing::remeshing(coupledSystem& system)
+{
+    forAll(system.regions(), r)
+    {
+        if (regionRemeshing::wanted(system.regions()[r])) regions_.append(new regionRemeshing(system, r));
+    }
+}
+
+
+bool Foam::remeshing::update(const bool inverted)
+{
+    bool any = false;
+    for (regionRemeshing& region : regions_) any = region.update(inverted) || any;
+    return any;
+}
+
+
+// ************************************************************************* //
