@@ -319,6 +319,7 @@ Foam::aleFluid::aleFluid(fvMesh& mesh, const dictionary& linearSolver)
 
     state_.add("U", fieldLayout::support::NODES, v_);
     state_.add("p", pressureOn(), q_);
+    state_.add("meshReference", fieldLayout::support::NODES, motion_.reference());
     state_.add("meshDisplacement", fieldLayout::support::NODES, motion_.displacement());
     state_.add("openPressure", fieldLayout::support::NODES, openPressure_);
     state_.add("subscale", fieldLayout::support::CELLS, subscales_);

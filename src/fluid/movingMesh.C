@@ -23,6 +23,7 @@ Foam::movingMesh::movingMesh(fvMesh& mesh, const dictionary& linearSolver)
     ),
     linearSolver_(linearSolver),
     fe_(nullptr),
+    reference_(D_),
     extended_(true)
 {
     if (!moving()) return;
@@ -80,6 +81,7 @@ void Foam::movingMesh::discretise(const feMesh& fe)
     if (!followingPatches_.empty()) setFollowing(labelList(followingPatches_));
     if (!pointDisplacement_.valid()) return;
 
+    reference_.setSize(fe.nNodes());
     boundary_.reset(new nodalBoundary(fe, pointDisplacement_()));
     if (first)
     {
@@ -142,12 +144,13 @@ void Foam::movingMesh::predict(const feTimeScheme& ts, const scalar time)
     boundary_->forValues
     (
         time,
-        [&](const label n, const vector& d) { D_.setD(ts, n, d); }
+        [&](const label n, const vector& d) { D_.setD(ts, n, d - reference_.now[n]); }
     );
-    vectorField D(D_.D);
+    const vectorField before(D_.D + reference_.now);
+    vectorField D(before);
     if (boundary_->project(D, time))
     {
-        forAll(D, n) if (D[n] != D_.D[n]) D_.setD(ts, n, D[n]);
+        forAll(D, n) if (D[n] != before[n]) D_.setD(ts, n, D[n] - reference_.now[n]);
     }
     motion_->renew();
     if (followingPatches_.empty()) extend(ts);

@@ -47,6 +47,19 @@ bool build(const simplexMesh& old, triangulation& tets)
 }
 
 
+//- Smallest angle between two faces of a tetrahedron, degrees
+scalar minAngle(const triangulation& tets)
+{
+    scalar least = 180;
+    for (const auto cell : tets.finite_cell_handles())
+    {
+        if (cell->subdomain_index() < 1) continue;
+        least = min(least, scalar(::CGAL::Tetrahedral_remeshing::min_dihedral_angle(tets, cell)));
+    }
+    return least;
+}
+
+
 void extract(const triangulation& tets, const simplexMesh& old, simplexMesh& now)
 {
     typedef std::array<double, 3> place;
@@ -105,12 +118,17 @@ Foam::string Foam::remeshers::remeshTets
     {
         return size(point(p.x(), p.y(), p.z()));
     };
-    ::CGAL::tetrahedral_isotropic_remeshing
-    (
-        tets, length,
-        ::CGAL::parameters::remesh_boundaries(false).number_of_iterations(nIterations)
-    );
-    extract(tets, old, now);
+    // The best of the iterations; more of them where slivers are left
+    const scalar enough = 10;
+    scalar best = -1;
+    for (label i = 0; i < nIterations || (i < 3*nIterations && best < enough); ++i)
+    {
+        ::CGAL::tetrahedral_isotropic_remeshing(tets, length, ::CGAL::parameters::remesh_boundaries(false));
+        const scalar angle = minAngle(tets);
+        if (angle <= best) continue;
+        best = angle;
+        extract(tets, old, now);
+    }
     return "";
 }
 
