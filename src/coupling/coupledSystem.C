@@ -193,9 +193,9 @@ Foam::coupledSystem::coupledSystem(Time& runTime)
     reportControls(runTime);
     readRegions();
     readInterfaces();
-    makeSystem();
     const bool consistent = consistentRates(solution_);
     if (readState()) return;
+    makeSystem();
     followAtStart();
     staticStage_.select(regions_, runTime_.value());
     if (consistent) startConsistently();

@@ -223,6 +223,7 @@ bool Foam::coupledSystem::readFields(const string& why)
         restartFields(regions_[r]).read();
         regions_[r].state().shift();
     }
+    makeSystem();
     Info<< why.c_str() << ": state read from the fields restart.* at time "
         << runTime_.timeName() << nl;
     compareFields();
@@ -344,6 +345,7 @@ bool Foam::coupledSystem::readState()
             << "The restart/feState is of time " << present.time << " and stands in "
             << runTime_.timeName() << ": it starts at the latter" << endl;
     }
+    makeSystem();
     remakeFactors(std::make_shared<moment>(factorsAt), policy);
     runTime_.setDeltaT(deltaT, false);
     deltaT0_ = present.deltaT;
