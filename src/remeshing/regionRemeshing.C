@@ -10,6 +10,7 @@
 #include "gatherAll.H"
 #include "elementQuality.H"
 #include "clockValue.H"
+#include "fourDigits.H"
 #include "wallPolyPatch.H"
 #include "points0MotionSolver.H"
 #include "subDictOrEmpty.H"
@@ -107,12 +108,15 @@ void Foam::regionRemeshing::makeSizes()
     if (exchanged)
     {
         keepPoints0(pointIOField(points0));
-        IOobject io(sizesIO(IOobject::MUST_READ));
-        if (io.typeHeaderOk<pointScalarField>())
-        {
-            sizes_.reset(new exact<pointScalarField>(io, points));
-            return;
-        }
+    }
+    IOobject io(sizesIO(IOobject::MUST_READ));
+    if (returnReduce(io.typeHeaderOk<pointScalarField>(), andOp<bool>()))
+    {
+        sizes_.reset(new exact<pointScalarField>(io, points));
+        return;
+    }
+    if (exchanged)
+    {
         WarningInFunction
             << "The mesh of region " << region_.name() << " has been exchanged, but there is no "
             << io.objectPath() << ": its cells have the sizes that are wanted" << endl;
@@ -273,7 +277,6 @@ Foam::regionRemeshing::regionRemeshing(coupledSystem& system, const label region
     selection_.check(region_.fe());
     findPatches();
     makeSizes();
-    checkStart();
 }
 
 
@@ -336,6 +339,34 @@ bool Foam::regionRemeshing::update(const bool inverted)
 }
 
 
+bool Foam::regionRemeshing::any(const labelHashSet& bad) const
+{
+    return returnReduce(!selection_.cells(region_.fe(), bad).empty(), orOp<bool>());
+}
+
+
+void Foam::regionRemeshing::report(const labelHashSet& bad, const string& why) const
+{
+    const feMesh& fe = region_.fe();
+    const List<qualityMeasure>& measures = qualityMeasures();
+    const scalarList worst(worstOf(fe, present(region_)));
+    const label nCells = returnReduce(region_.mesh().nCells(), sumOp<label>());
+    const label nBad = returnReduce(bad.size(), sumOp<label>());
+    const label n = returnReduce(selection_.cells(fe, bad).size(), sumOp<label>());
+    Info<< nl << "Region " << region_.name() << ":";
+    forAll(measures, m) Info<< ' ' << measures[m].extreme << ' ' << fourDigits(worst[m]);
+    Info<< nl << "Criteria: " << (why.empty() ? "nothing" : why.c_str()) << nl
+        << nBad << " bad cells, " << n << " of " << nCells << " to be exchanged" << nl << endl;
+}
+
+
+void Foam::regionRemeshing::toConstant()
+{
+    region_.mesh().setInstance(region_.mesh().time().constant());
+    points0_.clear();
+}
+
+
 bool Foam::regionRemeshing::exchange(const string& why, const labelHashSet& bad)
 {
     const clockValue start(true);
@@ -344,7 +375,7 @@ bool Foam::regionRemeshing::exchange(const string& why, const labelHashSet& bad)
     const vectorField x(present(region_));
     const elementSearch search(region_.fe(), x);
     const labelList cells(selection_.cells(region_.fe(), bad));
-    if (!returnReduce(cells.size(), sumOp<label>()))
+    if (!any(bad))
     {
         Info<< "    No cell that may be exchanged is bad: the mesh stays" << nl << endl;
         return false;
@@ -386,7 +417,9 @@ Foam::remeshing::remeshing(coupledSystem& system)
 {
     forAll(system.regions(), r)
     {
-        if (regionRemeshing::wanted(system.regions()[r])) regions_.append(new regionRemeshing(system, r));
+        if (!regionRemeshing::wanted(system.regions()[r])) continue;
+        regions_.append(new regionRemeshing(system, r));
+        regions_.last().checkStart();
     }
 }
 

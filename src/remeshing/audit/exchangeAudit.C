@@ -59,6 +59,29 @@ static void integrate
 } // End namespace Foam
 
 
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::scalarList Foam::worstOf(const feMesh& fe, const vectorField& x)
+{
+    const List<qualityMeasure>& measures = qualityMeasures();
+    const elementQualities now(qualities(fe, x)), reference(qualities(fe, fe.points()));
+    scalarList all;
+    forAll(measures, m)
+    {
+        const qualityMeasure& measure = measures[m];
+        scalar w = measure.smallIsBad ? GREAT : -GREAT;
+        forAll(now, b) forAll(now[b], e)
+        {
+            const scalar value = measure.of(now[b][e], reference[b][e]);
+            if (measure.worse(value, w)) w = value;
+        }
+        measure.smallIsBad ? reduce(w, minOp<scalar>()) : reduce(w, maxOp<scalar>());
+        all.append(w);
+    }
+    return all;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::exchangeAudit::exchangeAudit(const feRegion& region, const labelUList& patches)
@@ -76,21 +99,7 @@ Foam::exchangeAudit::exchangeAudit(const feRegion& region, const labelUList& pat
     reduce(nNodes, sumOp<label>());
 
     const vectorField x(fe.points() + region.motion().D);
-    const List<qualityMeasure>& measures = qualityMeasures();
-    const elementQualities now(qualities(fe, x)), reference(qualities(fe, fe.points()));
-    forAll(measures, m)
-    {
-        const qualityMeasure& measure = measures[m];
-        scalar w = measure.smallIsBad ? GREAT : -GREAT;
-        forAll(now, b) forAll(now[b], e)
-        {
-            const scalar value = measure.of(now[b][e], reference[b][e]);
-            if (measure.worse(value, w)) w = value;
-        }
-        measure.smallIsBad ? reduce(w, minOp<scalar>()) : reduce(w, maxOp<scalar>());
-        worst.append(w);
-    }
-
+    worst = worstOf(fe, x);
     const vectorField* v = region.state().find<vector>("U");
     integrate(fe, x, v ? *v : region.motion().v, volume, momentum, kineticEnergy);
 
