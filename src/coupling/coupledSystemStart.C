@@ -35,10 +35,11 @@ template<class Type>
 static void keepRates
 (
     const HashTable<Field<Type>*>& from,
-    HashTable<Field<Type>>& to
+    HashTable<Field<Type>>& to,
+    bool (*wanted)(const word&)
 )
 {
-    forAllConstIters(from, iter) if (isRate(iter.key())) to.insert(iter.key(), *iter.val());
+    forAllConstIters(from, iter) if (wanted(iter.key())) to.insert(iter.key(), *iter.val());
 }
 
 
@@ -83,7 +84,12 @@ static word differing
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::coupledSystem::solveRates(const scalar deltaT, startRates& rates)
+bool Foam::coupledSystem::solveRates
+(
+    const scalar deltaT,
+    startRates& rates,
+    bool (*wanted)(const word&)
+)
 {
     store();
     const dictionary Euler(IStringStream("type Euler;")());
@@ -106,8 +112,8 @@ bool Foam::coupledSystem::solveRates(const scalar deltaT, startRates& rates)
         regions_[r].exchange(schemes[r]);
         for (const statePart& part : regions_[r].state().parts())
         {
-            keepRates(part.scalars(), rates.scalars[r]);
-            keepRates(part.vectors(), rates.vectors[r]);
+            keepRates(part.scalars(), rates.scalars[r], wanted);
+            keepRates(part.vectors(), rates.vectors[r], wanted);
         }
     }
     restore();
@@ -122,7 +128,7 @@ void Foam::coupledSystem::startConsistently()
 
     const scalar deltaT = 1e-4*runTime_.deltaTValue();
     startRates rates, check;
-    bool ok = solveRates(deltaT, rates) && solveRates(deltaT/4, check);
+    bool ok = solveRates(deltaT, rates, isRate) && solveRates(deltaT/4, check, isRate);
     word what;
     forAll(regions_, r)
     {
@@ -152,6 +158,24 @@ void Foam::coupledSystem::startConsistently()
     }
     followAtStart();
     for (feRegion& region : regions_) region.state().shift();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::coupledSystem::project()
+{
+    // A very short step changes a velocity by the gradient of the pressure only
+    Info<< "Projection of the velocities" << nl;
+    startRates velocities;
+    const auto isVelocity = [](const word& name) { return name == "U"; };
+    if (!solveRates(1e-3*runTime_.deltaTValue(), velocities, isVelocity)) return false;
+    forAll(regions_, r)
+    {
+        for (const statePart& part : regions_[r].state().parts()) putRates(velocities.vectors[r], part.vectors());
+        regions_[r].state().shift();
+    }
+    return true;
 }
 
 

@@ -231,6 +231,7 @@ void Foam::aleFluid::makeFields()
     checkCells();
     motion_.discretise(fe());
     boundary_.reset(new nodalBoundary(fe(), pointU_()));
+    boundary_->setReference(motion_.reference().now);
     const bool first = returnReduce(v_.size() != fe().nNodes(), orOp<bool>());
     if (first) initialise();
     loads_.reset(new flowLoads(fe(), pointU_(), pointP_(), openPressure_, first));
@@ -350,9 +351,9 @@ void Foam::aleFluid::predict(const scalar time)
     {
         incompressible() ? q_.setStage(ts, pRefNode_, pRefValue_) : q_.set(ts, pRefNode_, pRefValue_);
     }
-    checkFluxes(time);
     loads_->predict();
     motion_.predict(ts, time);
+    checkFluxes(time);
 }
 
 

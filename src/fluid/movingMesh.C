@@ -83,6 +83,7 @@ void Foam::movingMesh::discretise(const feMesh& fe)
 
     reference_.setSize(fe.nNodes());
     boundary_.reset(new nodalBoundary(fe, pointDisplacement_()));
+    boundary_->setReference(reference_.now);
     if (first)
     {
         D_.D = fe.interpolate<vector>(pointDisplacement_->primitiveField());

@@ -12,7 +12,6 @@
 #include "clockValue.H"
 #include "fourDigits.H"
 #include "wallPolyPatch.H"
-#include "points0MotionSolver.H"
 #include "subDictOrEmpty.H"
 #include "unknownEntries.H"
 
@@ -36,50 +35,10 @@ static vectorField present(const feRegion& region)
     return region.fe().points() + region.motion().D;
 }
 
-
-//- Mean length of the edges at the vertices of the reference
-static scalarField meanEdges(const feMesh& fe)
-{
-    scalarField sum(fe.nNodes(), 0), n(sum);
-    for (const elementBlock& block : fe.blocks()) withElement(block, [&](auto tag)
-    {
-        typedef decltype(tag) E;
-        for (label e = 0; e < block.size(); ++e) for (const auto& edge : E::edges)
-        {
-            const label a = block.element(e)[edge[0]], b = block.element(e)[edge[1]];
-            const scalar l = mag(fe.points()[b] - fe.points()[a]);
-            for (const label v : {a, b})
-            {
-                sum[v] += l;
-                n[v] += 1;
-            }
-        }
-    });
-    fe.copies().sum(sum);
-    fe.copies().sum(n);
-    return sum/max(n, scalar(1));
-}
-
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-template<class Object>
-bool Foam::regionRemeshing::exact<Object>::writeObject
-(
-    IOstream::streamFormat format,
-    IOstream::versionNumber version,
-    IOstream::compressionType compression,
-    const bool valid
-) const
-{
-    const unsigned digits = IOstream::defaultPrecision(17);
-    const bool ok = Object::writeObject(format, version, compression, valid);
-    IOstream::defaultPrecision(digits);
-    return ok;
-}
-
 
 void Foam::regionRemeshing::findPatches()
 {
@@ -90,49 +49,6 @@ void Foam::regionRemeshing::findPatches()
         for (const polyPatch& pp : region_.mesh().boundaryMesh()) if (isA<wallPolyPatch>(pp)) patches.append(pp.index());
     }
     patches_.transfer(patches);
-}
-
-
-Foam::IOobject Foam::regionRemeshing::sizesIO(const IOobject::readOption read) const
-{
-    return IOobject("remeshSize", region_.mesh().time().timeName(), region_.mesh(), read, IOobject::AUTO_WRITE);
-}
-
-
-void Foam::regionRemeshing::makeSizes()
-{
-    const pointMesh& points = pointMesh::New(region_.mesh());
-    const IOobject points0(points0MotionSolver::points0IO(region_.mesh()));
-    const bool exchanged =
-        points0.name() == "points0" && points0.instance() != region_.mesh().time().constant();
-    if (exchanged)
-    {
-        keepPoints0(pointIOField(points0));
-    }
-    IOobject io(sizesIO(IOobject::MUST_READ));
-    if (returnReduce(io.typeHeaderOk<pointScalarField>(), andOp<bool>()))
-    {
-        sizes_.reset(new exact<pointScalarField>(io, points));
-        return;
-    }
-    if (exchanged)
-    {
-        WarningInFunction
-            << "The mesh of region " << region_.name() << " has been exchanged, but there is no "
-            << io.objectPath() << ": its cells have the sizes that are wanted" << endl;
-    }
-    scalarField size(meanEdges(region_.fe()));
-    size *= size_.getOrDefault<scalar>("factor", 1);
-    const scalar least = size_.getOrDefault<scalar>("min", 0), most = size_.getOrDefault<scalar>("max", GREAT);
-    for (scalar& s : size) s = min(max(s, least), most);
-    sizes_.reset
-    (
-        new exact<pointScalarField>
-        (
-            sizesIO(IOobject::NO_READ), points, dimensionedScalar(dimLength, Zero)
-        )
-    );
-    region_.fe().toPoints<scalar>(size, sizes_->primitiveFieldRef());
 }
 
 
@@ -156,7 +72,7 @@ Foam::string Foam::regionRemeshing::makeMesh
         scalarList N;
         search.vertexWeights(search.find(at, GREAT), vertices, N);
         scalar s = 0;
-        forAll(vertices, i) s += N[i]*sizes_()[fe.vertexPoint()[vertices[i]]];
+        forAll(vertices, i) s += N[i]*memory_.size(vertices[i]);
         return s;
     };
     string failure;
@@ -199,18 +115,15 @@ void Foam::regionRemeshing::apply
     const labelList pointMap(e.pointMap), cellMap(e.cellMap);
     boolList made(cellMap.size(), false);
     forAll(made, c) made[c] = c >= nKept;
-    scalarField size(old.nVertices());
-    forAll(size, n) size[n] = sizes_()[old.vertexPoint()[n]];
+    const scalarField size(memory_.sizes());
 
     e.apply(mesh);
     stateMap map;
     map.points0 = mesh.points();
     const feMesh now(mesh, old.order(), feRegion::readSchemes(mesh), map.points0);
     mapping_->map({old, x, search, pointMap, cellMap, made}, now, map);
-    size = map.vertices(size);
-
     discretise(map);
-    region_.fe().toPoints<scalar>(size, sizes_->primitiveFieldRef());
+    memory_.setSizes(map.vertices(size));
 }
 
 
@@ -219,25 +132,7 @@ void Foam::regionRemeshing::discretise(const stateMap& map)
     List<const stateMap*> maps(system_.regions().size(), nullptr);
     maps[regioni_] = &map;
     system_.discretise(maps);
-    keepPoints0(map.points0);
-}
-
-
-void Foam::regionRemeshing::keepPoints0(const pointField& points0)
-{
-    points0_.clear();
-    points0_.reset
-    (
-        new exact<pointIOField>
-        (
-            IOobject
-            (
-                "points0", region_.mesh().time().timeName(), polyMesh::meshSubDir, region_.mesh(),
-                IOobject::NO_READ, IOobject::AUTO_WRITE
-            ),
-            points0
-        )
-    );
+    memory_.setPoints0(map.points0);
 }
 
 
@@ -260,7 +155,7 @@ Foam::regionRemeshing::regionRemeshing(coupledSystem& system, const label region
     remesher_(remesher::New(dict_, region_.mesh().time())),
     mapping_(meshMapping::New(dict_)),
     table_(region_, subDictOrEmpty(dict_, "bounds")),
-    size_(subDictOrEmpty(dict_, "size")),
+    memory_(region_, subDictOrEmpty(dict_, "size")),
     triedAt_(-1)
 {
     reportUnknownEntries
@@ -271,12 +166,10 @@ Foam::regionRemeshing::regionRemeshing(coupledSystem& system, const label region
             "mapping", mapping_->type() + "Coeffs"
         }
     );
-    reportUnknownEntries(size_, {"factor", "min", "max"});
     const dictionary criteria(subDictOrEmpty(dict_, "criteria"));
     for (const entry& e : criteria) criteria_.append(remeshCriterion::New(criteria.subDict(e.keyword())).ptr());
     selection_.check(region_.fe());
     findPatches();
-    makeSizes();
 }
 
 
@@ -363,7 +256,7 @@ void Foam::regionRemeshing::report(const labelHashSet& bad, const string& why) c
 void Foam::regionRemeshing::toConstant()
 {
     region_.mesh().setInstance(region_.mesh().time().constant());
-    points0_.clear();
+    memory_.forgetPoints0();
 }
 
 
@@ -391,11 +284,12 @@ bool Foam::regionRemeshing::exchange(const string& why, const labelHashSet& bad)
     }
     const exchangeAudit before(audit());
     meshBackup backup(region_);
-    const scalarField sizes(sizes_->primitiveField());
+    const scalarField sizes(memory_.sizes());
     apply(e, region_.mesh().nCells() - cells.size(), x, search);
+    const bool projected = !mapping_->projects() || system_.project();
     const exchangeAudit after(audit());
     table_.report(before, after, start.elapsed());
-    const string broken(table_.broken(before, after));
+    const string broken(projected ? table_.broken(before, after) : "the projection of the velocities has failed");
     if (!broken.empty())
     {
         WarningInFunction
@@ -403,7 +297,7 @@ bool Foam::regionRemeshing::exchange(const string& why, const labelHashSet& bad)
         backup.restoreMesh(region_.mesh(), e);
         discretise(backup.map());
         region_.state().set(backup.state());
-        sizes_->primitiveFieldRef() = sizes;
+        memory_.setSizes(sizes);
         return false;
     }
     region_.derive();

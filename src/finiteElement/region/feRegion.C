@@ -136,7 +136,11 @@ void Foam::feRegion::discretise(const stateMap* map)
         // What is on a moving mesh has its present one as reference
         state_.map(*map);
         points0_ = map->points0;
-        if (!leads()) for (vectorField* D : {&motion().D, &motion().D0}) *D = Zero;
+        if (!leads()) for (vectorField* D : {&motion().D, &motion().D0})
+        {
+            *D = Zero;
+            if (map->displacement.size()) *D = map->displacement;
+        }
     }
     scatter_.clear();
     unknowns_.clear();

@@ -145,7 +145,7 @@ Foam::nodalBoundary::frame Foam::nodalBoundary::frameAt
         {
             const auto& pf = field_.boundaryField()[p.patch];
             value = dynamic_cast<const nodalComponents&>(pf)
-                .component(p.direction, fe_.points()[node], t);
+                .component(p.direction, position(node), t);
         }
         if (fe_.dim() == 2) n[fe_.axis(2)] = 0;
         forAll(f.n, k)

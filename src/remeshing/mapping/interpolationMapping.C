@@ -16,6 +16,8 @@ namespace meshMappings
 {
     defineTypeNameAndDebug(interpolation, 0);
     addToRunTimeSelectionTable(meshMapping, interpolation, dictionary);
+    defineTypeNameAndDebug(projection, 0);
+    addToRunTimeSelectionTable(meshMapping, projection, dictionary);
 }
 }
 
@@ -77,10 +79,12 @@ void Foam::meshMappings::interpolation::map(const source& old, const feMesh& now
     setSize(m.cells, now.mesh().nCells());
 
     const labelList kept(keptNodes(old, now));
+    m.displacement = vectorField(now.nNodes(), Zero);
     forAll(kept, n)
     {
         if (kept[n] >= 0)
         {
+            if (n >= now.nVertices()) m.displacement[n] = old.x[kept[n]] - now.points()[n];
             keep(m.nodes, n, kept[n]);
             if (n < now.nVertices()) keep(m.vertices, n, kept[n]);
             continue;

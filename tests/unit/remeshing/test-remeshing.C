@@ -244,6 +244,21 @@ TEST_P(dimensions, gradesTheSize)
 }
 
 
+//- Ten motions: none fails, no element is inverted
+TEST_P(dimensions, survivesMotions)
+{
+    for (label i = 0; i < 10; ++i)
+    {
+        const label n = GetParam() == 2 ? 10 + i : 4;
+        const turnedMesh old(GetParam(), n, 1, 0.2*(i - 4.5));
+        const exchangedMesh now(old, old.all(), [=](const point& p) { return (0.7 + 0.06*i)*(1 + p.x())/n; });
+        ASSERT_EQ(now.failure, "") << i;
+        EXPECT_NEAR(volume(now.mesh()), 1, 1e-13) << i;
+        EXPECT_GT(worstJacobian(now.fe()), GetParam() == 2 ? 0.3 : 0.05) << i;
+    }
+}
+
+
 TEST_P(dimensions, interpolatesLinearFieldsExactly)
 {
     for (const label order : {1, 2})
