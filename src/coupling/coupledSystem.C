@@ -197,6 +197,7 @@ Foam::coupledSystem::coupledSystem(Time& runTime)
     if (readState()) return;
     makeSystem();
     followAtStart();
+    for (feInterface& i : interfaces_) i.setFollowed();
     staticStage_.select(regions_, runTime_.value());
     if (consistent) startConsistently();
 }

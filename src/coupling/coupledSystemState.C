@@ -223,6 +223,7 @@ bool Foam::coupledSystem::readFields(const string& why)
         restartFields(regions_[r]).read();
         regions_[r].state().shift();
     }
+    for (feInterface& i : interfaces_) i.setFollowed();
     makeSystem();
     Info<< why.c_str() << ": state read from the fields restart.* at time "
         << runTime_.timeName() << nl;
@@ -345,6 +346,7 @@ bool Foam::coupledSystem::readState()
             << "The restart/feState is of time " << present.time << " and stands in "
             << runTime_.timeName() << ": it starts at the latter" << endl;
     }
+    for (feInterface& i : interfaces_) i.setFollowed();
     makeSystem();
     remakeFactors(std::make_shared<moment>(factorsAt), policy);
     runTime_.setDeltaT(deltaT, false);

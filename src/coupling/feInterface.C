@@ -109,7 +109,8 @@ Foam::feInterface::feInterface
     fluid_(region(dict.subDict("fluid"), regions)),
     solid_(region(dict.subDict("solid"), regions)),
     fluidPatches_(patches(dict.subDict("fluid"), fluid_)),
-    solidPatches_(patches(dict.subDict("solid"), solid_))
+    solidPatches_(patches(dict.subDict("solid"), solid_)),
+    followed_(false)
 {
     for (const word side : {"fluid", "solid"})
     {

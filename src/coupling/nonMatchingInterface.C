@@ -192,12 +192,7 @@ Foam::List<Foam::labelPair> Foam::nonMatchingInterface::joined
 
 void Foam::nonMatchingInterface::constrain(dofConstraints& c)
 {
-    const bool first = !exchange_.valid();
-    if
-    (
-        !find(solid().fe().points(), fluid().fe().points(), false)
-     || !(first || holds())
-    )
+    if (!find(solid().fe().points(), fluid().fe().points(), false) || (followed() && !holds()))
     {
         find(present(solid()), present(fluid()), true);
     }
