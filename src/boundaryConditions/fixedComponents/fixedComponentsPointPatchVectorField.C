@@ -43,7 +43,7 @@ Foam::fixedComponentsCondition::fixedComponentsCondition
                 << "Found direction " << n << ", expected a vector that is not nil"
                 << exit(FatalIOError);
         }
-        reportUnknownEntries(e.dict(), {"direction", "value", "code"});
+        reportUnknownEntries(e.dict(), {"direction", "value", "valueCoeffs", "code"});
         names_.append(e.keyword());
         directions_.append(n/mag(n));
         values_.append(new optionalFunction1<scalar>("value", e.dict(), 0));

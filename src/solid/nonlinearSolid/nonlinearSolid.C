@@ -253,8 +253,14 @@ Foam::scalar Foam::nonlinearSolid::residualScale(const label field) const
 {
     if (field == DISPLACEMENT) return 0;
     if (field != PRESSURE || !elements_.mixed) return bodies_->residualScale(field);
+
+    // Where a motion passes through nil, that of the step's start counts
     scalar sum = 0;
-    forAll(motion_.D, n) if (unknowns().map().owned(unknowns().node(n))) sum += magSqr(motion_.D[n]);
+    forAll(motion_.D, n)
+    {
+        if (!unknowns().map().owned(unknowns().node(n))) continue;
+        sum += max(magSqr(motion_.D[n]), magSqr(motion_.D0[n]));
+    }
     return Foam::pow(elementSize_, fe().dim() - 1)*::sqrt(returnReduce(sum, sumOp<scalar>()));
 }
 

@@ -75,6 +75,14 @@ const variant variants[] =
     },
     {"space", {"time=type generalisedAlpha; rhoInf 0.5;", "fluid=equalOrder", "solid=linear", "dim=3"}},
     {"spaceTaylorHood", {"time=type Newmark;", "dim=3"}},
+    {
+        "rigidRoot",
+        {
+            "time=type generalisedAlpha; rhoInf 0.5;",
+            "root=type rigidPatch; translation { x { force 0; } y { force 1; } } rotation { z { moment 0.3; } }"
+            " mass 0.5; inertia (0.1 0 0 0.1 0 0.1);"
+        }
+    },
     {"spaceSteady", {"time=type steady;", "dim=3", "fluid=equalOrder", "solid=linear"}},
     {
         "nonMatchingSteady",
