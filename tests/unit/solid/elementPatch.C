@@ -158,7 +158,8 @@ Eigen::MatrixXd Foam::elementPatch::tangent()
     K_.triplets(row, col);
     K_.values(value);
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(nUnknowns(), nUnknowns());
-    forAll(value, k) K(row[k], col[k]) += value[k];
+    // The box may have more nodes than the patch: these have no elements
+    forAll(value, k) if (row[k] < K.rows()) K(row[k], col[k]) += value[k];
     return K;
 }
 
