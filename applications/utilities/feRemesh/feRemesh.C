@@ -27,6 +27,7 @@ Description
 #include "timeSelector.H"
 #include "caseTime.H"
 #include "exitOnError.H"
+#include "refuseBlanks.H"
 #include "regionRemeshing.H"
 #include "OSspecific.H"
 
@@ -89,6 +90,7 @@ int main(int argc, char *argv[])
     #include "addRegionOption.H"
     argList::addBoolOption("dry-run", "The quality of the mesh and what would be exchanged, no more");
     argList::addBoolOption("overwrite", "Write to the same time");
+    refuseBlanks(argc, argv);
     #include "setRootCase.H"
     exitOnError();
     caseTime runTime(args);
