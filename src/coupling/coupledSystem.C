@@ -139,7 +139,7 @@ void Foam::coupledSystem::readInterfaces()
         labelList patches;
         for (const feInterface& i : interfaces_)
         {
-            if (&i.fluid() == &region) patches.append(i.fluidPatches());
+            if (i.moves() && &i.follower() == &region) patches.append(i.followerPatches());
         }
         if (!patches.empty()) region.follower()->setFollowing(patches);
     }

@@ -36,7 +36,7 @@ Foam::List<Foam::labelList> Foam::systemUnknowns::keys() const
     };
     for (const feInterface& i : interfaces_)
     {
-        for (const labelPair& pair : i.joined(key[indexOf(i.solid())], key[indexOf(i.fluid())]))
+        for (const labelPair& pair : i.joined(key[indexOf(i.leader())], key[indexOf(i.follower())]))
         {
             const label a = root(pair.first()), b = root(pair.second());
             parent.set(max(a, b), min(a, b));
@@ -167,24 +167,24 @@ void Foam::systemUnknowns::makeBlocks()
 void Foam::systemUnknowns::reportHeld(const feInterface& interface) const
 {
     // As any rank knows, at the first unknown of a node
-    const feRegion &fluid = interface.fluid(), &solid = interface.solid();
-    scalarField byFluid(map_->nUnknowns(), 0), bySolid(byFluid);
-    const labelList fluidNodes(interface.fluidNodes());
-    for (const label n : fluidNodes) byFluid[fluid.unknowns().start(0, n)] = fluid.boundary().constrained(n);
-    for (label n = 0; n < solid.fe().nNodes(); ++n)
+    const feRegion &follower = interface.follower(), &leader = interface.leader();
+    scalarField byFollower(map_->nUnknowns(), 0), byLeader(byFollower);
+    const labelList nodes(interface.followerNodes());
+    for (const label n : nodes) byFollower[follower.unknowns().start(0, n)] = follower.boundary().constrained(n);
+    for (label n = 0; n < leader.fe().nNodes(); ++n)
     {
-        bySolid[solid.unknowns().start(0, n)] = solid.boundary().constrained(n);
+        byLeader[leader.unknowns().start(0, n)] = leader.boundary().constrained(n);
     }
-    map_->maximum(byFluid);
-    map_->maximum(bySolid);
+    map_->maximum(byFollower);
+    map_->maximum(byLeader);
 
-    // By the solid's node that it is, or by one that it is tied to
-    const auto heldBySolid = [&](const label u)
+    // By the leader's node that it is, or by one that it is tied to
+    const auto heldByLeader = [&](const label u)
     {
-        if (interface.sharesNodes() || !constraints_->isTied(u)) return bySolid[u] > 0;
+        if (interface.sharesNodes() || !constraints_->isTied(u)) return byLeader[u] > 0;
         for (const auto& t : constraints_->masters(u))
         {
-            if (bySolid[map_->start(map_->nodeOf(t.unknown))] > 0) return true;
+            if (byLeader[map_->start(map_->nodeOf(t.unknown))] > 0) return true;
         }
         return false;
     };
@@ -192,13 +192,13 @@ void Foam::systemUnknowns::reportHeld(const feInterface& interface) const
     label n = 0;
     point where = point::max;
     wordList names;
-    for (const label node : fluidNodes)
+    for (const label node : nodes)
     {
-        const label u = fluid.unknowns().start(0, node);
-        if (byFluid[u] == 0 || heldBySolid(u) || !map_->owned(fluid.unknowns().node(node))) continue;
+        const label u = follower.unknowns().start(0, node);
+        if (byFollower[u] == 0 || heldByLeader(u) || !map_->owned(follower.unknowns().node(node))) continue;
         ++n;
-        where = fluid.fe().points()[node];
-        if (fluid.boundary().constrained(node)) names.append(fluid.boundary().patchName(node));
+        where = follower.fe().points()[node];
+        if (follower.boundary().constrained(node)) names.append(follower.boundary().patchName(node));
     }
     const wordList all(wordHashSet(gatherAll<word>(names)).sortedToc());
     reduce(where, minOp<point>());
@@ -206,13 +206,13 @@ void Foam::systemUnknowns::reportHeld(const feInterface& interface) const
     WarningInFunction
         << "Interface " << interface.name() << ": " << returnReduce(n, sumOp<label>())
         << " of its nodes, one at " << where << ", are also on patches " << all << " of region "
-        << fluid.name() << " with conditions there; the solid is free at them." << nl
+        << follower.name() << " with conditions there; " << leader.name() << " is free at them." << nl
         << (
                interface.sharesNodes()
              ? "    Values of these patches do not count at the interface's nodes, planes of"
                " symmetry and slip do."
-             : "    These do not count at the interface's nodes: where they should, give the"
-               " solid the same conditions."
+             : "    These do not count at the interface's nodes: where they should, give"
+               " the region that leads the same conditions."
            )
         << endl;
 }

@@ -43,7 +43,7 @@ static vectorField present(const feRegion& region)
 void Foam::regionRemeshing::findPatches()
 {
     DynamicList<label> patches;
-    for (const feInterface& i : system_.interfaces()) if (&i.fluid() == &region_) patches.append(i.fluidPatches());
+    for (const feInterface& i : system_.interfaces()) if (&i.follower() == &region_) patches.append(i.followerPatches());
     if (patches.empty())
     {
         for (const polyPatch& pp : region_.mesh().boundaryMesh()) if (isA<wallPolyPatch>(pp)) patches.append(pp.index());

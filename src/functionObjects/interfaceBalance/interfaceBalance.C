@@ -52,14 +52,15 @@ void Foam::functionObjects::interfaceBalance::open(const interfaceReport& r)
                 files_.size() == 1 ? word(typeName) : word(typeName + '_' + name)
             )
         );
-        writeHeader(files_[i], "Force (N) and power (W) on both sides, in 2-D per metre of depth");
+        writeHeader(files_[i], "Force (N) and power (W) on both sides, distance (m) and flux (m3/s) between them, in 2-D"
+            " per metre of depth");
         writeHeaderValue(files_[i], "interface", name);
         writeColumns
         (
             files_[i],
             {
                 "fluidFx", "fluidFy", "fluidFz", "solidFx", "solidFy", "solidFz",
-                "fluidPower", "solidPower", "forceImbalance", "powerImbalance"
+                "fluidPower", "solidPower", "forceImbalance", "powerImbalance", "distance", "leakage"
             }
         );
     }
@@ -104,17 +105,18 @@ bool Foam::functionObjects::interfaceBalance::write()
         const scalar Pf = r.fluidPower(i), Ps = r.solidPower(i);
         const scalar force = mag(Ff + Fs)/max(max(mag(Ff), mag(Fs)), VSMALL);
         const scalar power = mag(Pf + Ps)/max(max(mag(Pf), mag(Ps)), VSMALL);
+        const scalar distance = r.distance(i), leakage = r.leakage(i);
 
         Log << "    " << r.interfaceName(i) << ": force on fluid " << Ff
             << ", imbalance " << force << "; power " << Pf
-            << ", imbalance " << power << nl;
+            << ", imbalance " << power << "; distance " << distance << ", leakage " << leakage << nl;
         if (!writeToFile()) continue;
         writeRow
         (
             files_[i],
             {
                 Ff.x(), Ff.y(), Ff.z(), Fs.x(), Fs.y(), Fs.z(),
-                Pf, Ps, force, power
+                Pf, Ps, force, power, distance, leakage
             }
         );
     }

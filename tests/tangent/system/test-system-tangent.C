@@ -646,18 +646,18 @@ TEST_P(nonMatchingMotion, isThatOfTheBody)
     const tensor F = R & tensor(1.2, 0.3, 0, 0, 0.9, 0, 0, 0, 1), L(0, -2, 0, 3, 0.5, 0, 0, 0, 0);
     const point centre(0.3, -0.2, 0.1);
 
-    motionField& solid = interface.solid().motion();
-    const vectorField& Xs = interface.solid().fe().points();
+    motionField& solid = interface.leader().motion();
+    const vectorField& Xs = interface.leader().fe().points();
     forAll(Xs, n)
     {
         solid.D[n] = (F - tensor::I) & (Xs[n] - centre);
         solid.v[n] = L & (Xs[n] - centre);
     }
     interface.follow();
-    const motionField& fluid = interface.fluid().motion();
-    for (const label n : interface.fluidNodes())
+    const motionField& fluid = interface.follower().motion();
+    for (const label n : interface.followerNodes())
     {
-        const vector X = interface.fluid().fe().points()[n] - centre;
+        const vector X = interface.follower().fe().points()[n] - centre;
         EXPECT_LT(mag(fluid.D[n] - ((F - tensor::I) & X)), 1e-12);
         EXPECT_LT(mag(fluid.v[n] - (L & X)), 1e-12);
     }

@@ -24,17 +24,17 @@ namespace Foam
 namespace Foam
 {
 
-//- Test functions chi_i = sum_j T_ij N_j of the nodes i that are not on the rim. Of
-//  N_j on the rim each has the part T_ij with which a field that is linear in xi would
+//- Test functions chi_i = sum_j T_ij N_j of the nodes i that are not held. Of
+//  N_j of held nodes each has the part T_ij with which a field that is linear in xi would
 //  be extrapolated, u_j = sum_i T_ij u_i
 template<class F>
-static scalarSquareMatrix testFunctions(const bool* onRim)
+static scalarSquareMatrix testFunctions(const bool* isHeld)
 {
     scalarSquareMatrix T(F::nNodes, Zero);
     const auto at = [](const int i) { return vector(F::xi[i][0], F::dim > 1 ? F::xi[i][F::dim - 1] : 0, 0); };
     vector mean = Zero;
     label nFree = 0;
-    for (int i = 0; i < F::nNodes; ++i) if (!onRim[i])
+    for (int i = 0; i < F::nNodes; ++i) if (!isHeld[i])
     {
         T(i, i) = 1;
         mean += at(i);
@@ -43,14 +43,14 @@ static scalarSquareMatrix testFunctions(const bool* onRim)
     if (!nFree) return T;
     mean /= nFree;
     symmTensor C = Zero;
-    for (int i = 0; i < F::nNodes; ++i) if (!onRim[i]) C += sqr(at(i) - mean);
+    for (int i = 0; i < F::nNodes; ++i) if (!isHeld[i]) C += sqr(at(i) - mean);
     if (F::dim == 1) C.yy() = 1;
     C.zz() = 1;
     const bool linear = det(C) > 1e-6;
-    for (int j = 0; j < F::nNodes; ++j) if (onRim[j])
+    for (int j = 0; j < F::nNodes; ++j) if (isHeld[j])
     {
         const vector g(linear ? vector(inv(C) & (at(j) - mean)) : vector::zero);
-        for (int i = 0; i < F::nNodes; ++i) if (!onRim[i]) T(i, j) = 1.0/nFree + ((at(i) - mean) & g);
+        for (int i = 0; i < F::nNodes; ++i) if (!isHeld[i]) T(i, j) = 1.0/nFree + ((at(i) - mean) & g);
     }
     return T;
 }
@@ -60,16 +60,29 @@ static scalarSquareMatrix testFunctions(const bool* onRim)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::labelHashSet Foam::mortarWeights::rim(const feMesh& fe, const labelUList& patches)
+Foam::boolList Foam::mortarWeights::held(const interfaceFit& fit)
 {
-    labelHashSet mine, rim;
-    for (const label patchi : patches) mine.insert(fe.patchNodes(patchi));
+    const feMesh& fe = fit.region().fe();
+    scalarField is(fe.nNodes(), 0);
     forAll(fe.mesh().boundaryMesh(), patchi)
     {
-        if (patches.found(patchi)) continue;
-        for (const label n : fe.patchNodes(patchi)) if (mine.found(n)) rim.insert(n);
+        if (fit.patches().found(patchi)) continue;
+        for (const label n : fe.patchNodes(patchi)) is[n] = 1;
     }
-    return rim;
+    for (const label patchi : fit.patches()) for (const elementBlock& block : fe.patchBlocks(patchi))
+    {
+        for (label f = 0; f < block.size(); ++f)
+        {
+            const SubList<label> nodes(block.nodes, block.nNodes, f*block.nNodes);
+            bool bare = false;
+            for (const label n : nodes) bare = bare || fit.isBare(n);
+            if (bare) for (const label n : nodes) is[n] = 1;
+        }
+    }
+    fe.copies().maximum(is);
+    boolList held(is.size());
+    forAll(held, n) held[n] = is[n] > 0;
+    return held;
 }
 
 
@@ -77,18 +90,26 @@ template<class F>
 void Foam::mortarWeights::addFace
 (
     const label* nodes,
-    const vectorField& x,
-    const Map<List<term>>& rim,
-    const interfaceSurface& other,
-    DynamicList<contribution>& all
+    const interfaceFit& fit,
+    const Map<List<term>>& given,
+    DynamicList<contribution>& contributions
 )
 {
     constexpr int n = F::nNodes;
+    bool isHeld[n], all = true;
+    for (int i = 0; i < n; ++i)
+    {
+        isHeld[i] = given.found(nodes[i]);
+        all = all && isHeld[i];
+    }
+    if (all) return;
+
+    const interfaceSurface& other = fit.partner();
     point X[n], centre = Zero;
     scalar size = 0;
     for (int i = 0; i < n; ++i)
     {
-        X[i] = other.flat(x[nodes[i]]);
+        X[i] = other.flat(fit.x()[nodes[i]]);
         centre += X[i]/n;
         size = max(size, mag(X[i] - X[0]));
     }
@@ -98,7 +119,7 @@ void Foam::mortarWeights::addFace
     scalarField a(n, 0);
     List<DynamicList<term>> Nu(n);
     scalar area = 0;
-    forPoints<F>(X, other, ratio, [&](const double* xi, const scalar w)
+    forPoints<F>(X, other, ratio, [&](const double* xi, const scalar w, const auto& p)
     {
         double N[n], dN[n][F::dim];
         F::shape(xi, N, dN);
@@ -106,7 +127,6 @@ void Foam::mortarWeights::addFace
         area += dA;
         point at = Zero;
         for (int i = 0; i < n; ++i) at += N[i]*X[i];
-        const auto p = other.project(at);
         for (int i = 0; i < n; ++i)
         {
             a[i] += N[i]*dA;
@@ -116,19 +136,17 @@ void Foam::mortarWeights::addFace
     });
     if (min(a) < 1e-3*area/n) a = area/n;
 
-    // A u = b: int chi_i u_h = int chi_i u, and on the rim u_h = u
-    bool onRim[n];
-    for (int i = 0; i < n; ++i) onRim[i] = rim.found(nodes[i]);
-    const scalarSquareMatrix T(testFunctions<F>(onRim));
+    // A u = b: int chi_i u_h = int chi_i u, and at held nodes u_h = u
+    const scalarSquareMatrix T(testFunctions<F>(isHeld));
     scalarSquareMatrix A(n, Zero);
     List<List<term>> b(n);
     for (int i = 0; i < n; ++i)
     {
         DynamicList<term> sum;
-        if (onRim[i])
+        if (isHeld[i])
         {
             A(i, i) = 1;
-            sum = rim[nodes[i]];
+            sum = given[nodes[i]];
         }
         else for (int j = 0; j < n; ++j)
         {
@@ -146,7 +164,7 @@ void Foam::mortarWeights::addFace
         {
             terms.append({t.node, a[i]*inverse(i, j)*t.weight});
         }
-        all.append({nodes[i], a[i], summed(terms)});
+        contributions.append({nodes[i], a[i], summed(terms)});
     }
 }
 
@@ -199,32 +217,29 @@ Foam::List<Foam::mortarWeights::contribution> Foam::mortarWeights::ofAllRanks
 
 Foam::List<Foam::List<Foam::interfaceSurface::term>> Foam::mortarWeights::rows
 (
-    const feRegion& region,
-    const labelUList& patches,
-    const labelUList& nodes,
-    const vectorField& x,
-    const interfaceSurface& other
+    const interfaceFit& fit,
+    const labelUList& nodes
 ) const
 {
-    List<List<term>> rows(interpolationWeights::rows(region, patches, nodes, x, other));
-    const feMesh& fe = region.fe();
-    const labelHashSet shared(rim(fe, patches));
-    Map<List<term>> held;
+    List<List<term>> rows(interpolationWeights::rows(fit, nodes));
+    const feMesh& fe = fit.region().fe();
+    const boolList interpolates(held(fit));
+    Map<List<term>> given;
     Map<label> place;
     forAll(nodes, i)
     {
-        if (shared.found(nodes[i])) held.insert(nodes[i], rows[i]);
+        if (interpolates[nodes[i]]) given.insert(nodes[i], rows[i]);
         else place.insert(nodes[i], i);
     }
 
     DynamicList<contribution> mine;
-    for (const label patchi : patches) for (const elementBlock& block : fe.patchBlocks(patchi))
+    for (const label patchi : fit.patches()) for (const elementBlock& block : fe.patchBlocks(patchi))
     {
         withFaceElement(block, [&](auto tag)
         {
             for (label f = 0; f < block.size(); ++f)
             {
-                addFace<decltype(tag)>(block.element(f), x, held, other, mine);
+                addFace<decltype(tag)>(block.element(f), fit, given, mine);
             }
         });
     }

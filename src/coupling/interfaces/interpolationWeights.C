@@ -20,18 +20,17 @@ namespace Foam
 
 Foam::List<Foam::List<Foam::interfaceSurface::term>> Foam::interpolationWeights::rows
 (
-    const feRegion&,
-    const labelUList&,
-    const labelUList& nodes,
-    const vectorField& x,
-    const interfaceSurface& other
+    const interfaceFit& fit,
+    const labelUList& nodes
 ) const
 {
     List<List<term>> rows(nodes.size());
     forAll(nodes, i)
     {
+        if (fit.isBare(nodes[i])) continue;
+        const point& x = fit.x()[nodes[i]];
         DynamicList<term> terms;
-        other.addTerms(other.project(x[nodes[i]]), x[nodes[i]], 1, terms);
+        fit.partner().addTerms(fit.partner().project(x), x, 1, terms);
         rows[i] = collected(terms);
     }
     return rows;

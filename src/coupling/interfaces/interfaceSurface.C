@@ -57,14 +57,14 @@ void Foam::interfaceSurface::gather
         }
     }
 
-    const labelList mine(labelHashSet(nodes).sortedToc());
-    labelList global(mine);
+    mine_ = labelHashSet(nodes).sortedToc();
+    labelList global(mine_);
     for (labelList* list : {&global, static_cast<labelList*>(&nodes)})
     {
         for (label& n : *list) n = numbering_.toGlobal(n);
     }
     numbers_ = gatherAll<label>(global);
-    points_ = gatherAll<point>(pointField(x, mine));
+    points_ = gathered(x);
     for (point& p : points_) p = flat(p);
     makeFaces(gatherAll<label>(kinds), gatherAll<label>(nodes));
 }
@@ -112,36 +112,6 @@ void Foam::interfaceSurface::makeTree()
 }
 
 
-Foam::interfaceSurface::projection Foam::interfaceSurface::project
-(
-    const label facei,
-    const point& to
-) const
-{
-    const element& face = faces_[facei];
-    projection p;
-    p.face = facei;
-    withFace(face.shape, face.order, [&](auto tag)
-    {
-        typedef decltype(tag) F;
-        point X[F::nNodes];
-        for (int i = 0; i < F::nNodes; ++i) X[i] = points_[face.nodes[i]];
-        nearestOnFace<F>(X, to, p.xi);
-        vector t[2];
-        p.x = evaluate<F>(X, p.xi, t);
-        if (F::dim == 1)
-        {
-            t[1] = Zero;
-            t[1][fe_.axis(2)] = 1;
-        }
-        p.n = t[0] ^ t[1];
-        p.n /= mag(p.n);
-    });
-    p.distance = mag(to - p.x);
-    return p;
-}
-
-
 bool Foam::interfaceSurface::before(const projection& p, const projection& q) const
 {
     if (q.face < 0) return true;
@@ -159,11 +129,13 @@ Foam::interfaceSurface::interfaceSurface
 (
     const feRegion& region,
     const labelUList& patches,
-    const vectorField& x
+    const vectorField& x,
+    const bool keepsGaps
 )
 :
     fe_(region.fe()),
-    numbering_(fe_.nNodes())
+    numbering_(fe_.nNodes()),
+    keepsGaps_(keepsGaps)
 {
     gather(patches, x);
     makeTree();
@@ -199,6 +171,76 @@ Foam::interfaceSurface::projection Foam::interfaceSurface::project(const point& 
 }
 
 
+Foam::interfaceSurface::projection Foam::interfaceSurface::project
+(
+    const label facei,
+    const point& to
+) const
+{
+    const element& face = faces_[facei];
+    projection p;
+    p.face = facei;
+    withFace(face.shape, face.order, [&](auto tag)
+    {
+        typedef decltype(tag) F;
+        point X[F::nNodes];
+        for (int i = 0; i < F::nNodes; ++i) X[i] = points_[face.nodes[i]];
+        nearestOnFace<F>(X, to, p.xi);
+        vector t[2];
+        p.x = evaluate<F>(X, p.xi, t);
+        if (F::dim == 1)
+        {
+            t[1] = Zero;
+            t[1][fe_.axis(2)] = 1;
+        }
+        p.n = t[0] ^ t[1];
+        p.n /= mag(p.n);
+    });
+    p.distance = mag(to - p.x);
+    return p;
+}
+
+
+Foam::labelList Foam::interfaceSurface::near(const point& to, const scalar radius) const
+{
+    if (faces_.empty()) return labelList();
+    DynamicList<label> found;
+    for (const label f : tree_->findSphere(to, sqr(radius + largestRadius_)))
+    {
+        if (mag(to - centres_[f]) < radius + faces_[f].radius) found.append(f);
+    }
+    return found;
+}
+
+
+Foam::pointField Foam::interfaceSurface::vertices(const label facei) const
+{
+    const element& face = faces_[facei];
+    return pointField(points_, SubList<label>(face.nodes, face.shape == elementShape::TRI ? 3 : 4));
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::interfaceSurface::gathered(const vectorField& f) const
+{
+    return tmp<vectorField>::New(gatherAll<vector>(vectorField(f, mine_)));
+}
+
+
+Foam::vector Foam::interfaceSurface::value(const projection& p, const UList<vector>& f) const
+{
+    const element& face = faces_[p.face];
+    vector v = Zero;
+    withFace(face.shape, face.order, [&](auto tag)
+    {
+        typedef decltype(tag) F;
+        double N[F::nNodes], dN[F::nNodes][F::dim];
+        F::shape(p.xi, N, dN);
+        for (int i = 0; i < F::nNodes; ++i) v += N[i]*f[face.nodes[i]];
+    });
+    return v;
+}
+
+
 void Foam::interfaceSurface::addTerms
 (
     const projection& p,
@@ -217,7 +259,7 @@ void Foam::interfaceSurface::addTerms
     });
 
     const vector gap(flat(X) - p.x);
-    if (mag(gap) < 1e-9*face.radius) return;
+    if (!keepsGaps_ || mag(gap) < 1e-9*face.radius) return;
     point mean = Zero;
     for (const label j : face.behind) mean += points_[j]/scalar(face.behind.size());
     tensor C = Zero;

@@ -80,7 +80,7 @@ void Foam::feInterface::checkFree
         FatalIOErrorInFunction(dict_)
             << "Patch " << patch.patch().name() << " of " << field.objectPath()
             << " is of type " << patch.type() << ", but on interface " << name_
-            << " fluid and solid move together as they will."
+            << " the two regions move together as they will."
             << " Expected type calculated" << exit(FatalIOError);
     }
 }
@@ -90,8 +90,17 @@ void Foam::feInterface::checkFree
 
 void Foam::feInterface::checkFree() const
 {
-    checkFree(fluid_, fluidPatches_);
-    checkFree(solid_, solidPatches_);
+    checkFree(leader_, leaderPatches_);
+    checkFree(follower_, followerPatches_);
+}
+
+
+void Foam::feInterface::failRegions(const char* expected) const
+{
+    FatalIOErrorInFunction(dict_)
+        << "Interface " << name_ << " joins region " << follower_.name()
+        << " of type " << follower_.type() << " to region " << leader_.name()
+        << " of type " << leader_.type() << "; expected " << expected << exit(FatalIOError);
 }
 
 
@@ -101,33 +110,26 @@ Foam::feInterface::feInterface
 (
     const word& name,
     const dictionary& dict,
-    PtrList<feRegion>& regions
+    PtrList<feRegion>& regions,
+    const word& leader,
+    const word& follower
 )
 :
     name_(name),
     dict_(dict),
-    fluid_(region(dict.subDict("fluid"), regions)),
-    solid_(region(dict.subDict("solid"), regions)),
-    fluidPatches_(patches(dict.subDict("fluid"), fluid_)),
-    solidPatches_(patches(dict.subDict("solid"), solid_)),
-    followed_(false)
+    leader_(region(dict.subDict(leader), regions)),
+    follower_(region(dict.subDict(follower), regions)),
+    leaderPatches_(patches(dict.subDict(leader), leader_)),
+    followerPatches_(patches(dict.subDict(follower), follower_))
 {
-    for (const word side : {"fluid", "solid"})
+    for (const word& side : {leader, follower})
     {
         reportUnknownEntries(dict.subDict(side), {"region", "patch", "patches"});
     }
-    if (fluid_.leads() || !solid_.leads())
+    if (!(follower_.timeScheme() == leader_.timeScheme()))
     {
         FatalIOErrorInFunction(dict)
-            << "Interface " << name << " joins region " << fluid_.name()
-            << " of type " << fluid_.type() << " as fluid and region "
-            << solid_.name() << " of type " << solid_.type() << " as solid;"
-            << " expected a fluid and a solid" << exit(FatalIOError);
-    }
-    if (!(fluid_.timeScheme() == solid_.timeScheme()))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Regions " << fluid_.name() << " and " << solid_.name()
+            << "Regions " << follower_.name() << " and " << leader_.name()
             << " have different time schemes; unknowns are shared, so the"
             << " entries timeScheme of their feSchemes must be the same"
             << exit(FatalIOError);
@@ -175,19 +177,19 @@ void Foam::feInterface::checkApart(const feInterface& other) const
             if (others.found(patchi)) fail(region, "patch " + region.mesh().boundaryMesh()[patchi].name());
         }
     };
-    if (&solid_ == &other.solid_) checkPatches(solid_, solidPatches_, other.solidPatches_);
-    if (&fluid_ != &other.fluid_) return;
-    checkPatches(fluid_, fluidPatches_, other.fluidPatches_);
+    if (&leader_ == &other.leader_) checkPatches(leader_, leaderPatches_, other.leaderPatches_);
+    if (&follower_ != &other.follower_) return;
+    checkPatches(follower_, followerPatches_, other.followerPatches_);
     if (sharesNodes() && other.sharesNodes()) return;
 
-    const labelHashSet nodes(other.fluidNodes());
+    const labelHashSet nodes(other.followerNodes());
     point where = point::max;
-    for (const label n : fluidNodes()) if (nodes.found(n)) where = fluid_.fe().points()[n];
+    for (const label n : followerNodes()) if (nodes.found(n)) where = follower_.fe().points()[n];
     reduce(where, minOp<point>());
     if (where == point::max) return;
     OStringStream os;
     os << "the node at " << where;
-    fail(fluid_, os.str());
+    fail(follower_, os.str());
 }
 
 

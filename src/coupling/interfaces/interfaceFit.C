@@ -28,16 +28,25 @@ Foam::tmp<Foam::scalarField> Foam::interfaceFit::nodeSizes() const
 }
 
 
+bool Foam::interfaceFit::isGap(const interfaceSurface::projection& p, const scalar size) const
+{
+    return p.face < 0 || p.distance > tolerance_*max(size, partner_.size(p.face));
+}
+
+
 void Foam::interfaceFit::measureNodes()
 {
     const feMesh& fe = region_.fe();
     const scalarField size(nodeSizes());
-    for (const label patchi : patches_) for (const label n : fe.patchNodes(patchi))
+    labelHashSet nodes;
+    for (const label patchi : patches_) nodes.insert(fe.patchNodes(patchi));
+    for (const label n : nodes)
     {
+        const interfaceSurface::projection p(partner_.project(x_[n]));
+        bare_[n] = isGap(p, size[n]);
         if (!fe.copies().owned(n)) continue;
         ++nNodes;
-        const interfaceSurface::projection p(partner_.project(x_[n]));
-        if (p.face < 0 || p.distance > tolerance_*max(size[n], partner_.size(p.face))) ++nGaps;
+        if (bare_[n]) ++nGaps;
         if (p.distance < largestGap) continue;
         largestGap = p.distance;
         where = x_[n];
@@ -51,7 +60,8 @@ void Foam::interfaceFit::measureNodes()
 }
 
 
-void Foam::interfaceFit::measureFaces()
+template<class Call>
+void Foam::interfaceFit::forPoints(const Call& f) const
 {
     const feMesh& fe = region_.fe();
     for (const label patchi : patches_) for (const elementBlock& block : fe.patchBlocks(patchi))
@@ -81,17 +91,23 @@ void Foam::interfaceFit::measureFaces()
                         at[fe.axis(a)] = face.value(x)[a];
                         ndA[fe.axis(a)] = face.ndA[a];
                     }
-                    area += mag(ndA);
-                    const interfaceSurface::projection p(partner_.project(at));
-                    if (p.face < 0 || p.distance > tolerance_*max(size, partner_.size(p.face)))
-                    {
-                        uncovered += mag(ndA);
-                    }
-                    else if ((p.n & ndA) > 0) wrongWay += mag(ndA);
+                    f(face, n, at, ndA, size);
                 }
             }
         });
     }
+}
+
+
+void Foam::interfaceFit::measureFaces()
+{
+    forPoints([&](const auto&, const label*, const point& at, const vector& ndA, const scalar size)
+    {
+        area += mag(ndA);
+        const interfaceSurface::projection p(partner_.project(at));
+        if (isGap(p, size)) uncovered += mag(ndA);
+        else if ((p.n & ndA) > 0) wrongWay += mag(ndA);
+    });
     for (scalar* sum : {&area, &uncovered, &wrongWay}) reduce(*sum, sumOp<scalar>());
 }
 
@@ -111,10 +127,29 @@ Foam::interfaceFit::interfaceFit
     patches_(patches),
     x_(x),
     partner_(partner),
-    tolerance_(tolerance)
+    tolerance_(tolerance),
+    bare_(region.fe().nNodes(), false)
 {
     measureNodes();
     measureFaces();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::interfaceFit::leakage(const vectorField& v, const vectorField& vPartner) const
+{
+    const vectorField partners(partner_.gathered(vPartner));
+    scalar sum = 0;
+    forPoints([&](const auto& face, const label* n, const point& at, const vector& ndA, const scalar size)
+    {
+        const interfaceSurface::projection p(partner_.project(at));
+        if (isGap(p, size)) return;
+        vector difference = -partner_.value(p, partners);
+        for (int i = 0; i < face.n; ++i) difference += face.N[i]*v[n[i]];
+        sum += difference & ndA;
+    });
+    return returnReduce(sum, sumOp<scalar>());
 }
 
 

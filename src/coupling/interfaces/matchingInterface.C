@@ -54,9 +54,9 @@ void Foam::matchingInterface::fail
     forAll(gaps, i) if (gaps[i] > gaps[worst]) worst = i;
     FatalIOErrorInFunction(dict())
         << "Interface " << name() << " does not match: " << gaps.size()
-        << " nodes of patch " << fluid().mesh().boundaryMesh()[fluidPatches()[0]].name()
+        << " nodes of patch " << fluid().mesh().boundaryMesh()[followerPatches()[0]].name()
         << " (region " << fluid().name() << ") and patch "
-        << solid().mesh().boundaryMesh()[solidPatches()[0]].name()
+        << solid().mesh().boundaryMesh()[leaderPatches()[0]].name()
         << " (region " << solid().name() << ") have no partner." << nl
         << "Largest gap " << gaps[worst] << " m at " << places[worst] << '.' << nl
         << "Both meshes need the same points on the interface, and elements of"
@@ -69,7 +69,7 @@ void Foam::matchingInterface::handOver(const F& f, const G& put) const
 {
     const fieldUnknowns &from = solid().unknowns(), &to = fluid().unknowns();
     scalarField y(from.map().nUnknowns(), 0);
-    const labelList nodes(solidNodes());
+    const labelList nodes(leaderNodes());
     forAll(nodes, i)
     {
         if (!speaks_[i]) continue;
@@ -77,7 +77,7 @@ void Foam::matchingInterface::handOver(const F& f, const G& put) const
         from.forCmpts(0, nodes[i], [&](const label c, const label u) { y[u] = value[c]; });
     }
     from.map().sum(y);
-    const labelList followers(fluidNodes());
+    const labelList followers(followerNodes());
     forAll(followers, i) put(i, followers[i], to.at(0, followers[i], y));
 }
 
@@ -91,7 +91,7 @@ Foam::matchingInterface::matchingInterface
     PtrList<feRegion>& regions
 )
 :
-    feInterface(name, dict, regions)
+    fsiInterface(name, dict, regions)
 {
     reportUnknownEntries(dict, {"type", "fluid", "solid", "tolerance"});
 }
@@ -107,7 +107,7 @@ Foam::matchingInterface::pairing Foam::matchingInterface::pairs
     const labelUList& fluidKey
 ) const
 {
-    const labelList fluidN(fluidNodes()), solidN(solidNodes());
+    const labelList fluidN(followerNodes()), solidN(leaderNodes());
 
     // In 2-D the meshes may lie at different depths
     const label depth = fluid().fe().dim() == 2 ? fluid().fe().axis(2) : -1;
@@ -184,7 +184,7 @@ void Foam::matchingInterface::constrain(dofConstraints&)
 {
     // The lowest rank that has a solid node
     const fieldUnknowns& from = solid().unknowns();
-    const labelList nodes(solidNodes());
+    const labelList nodes(leaderNodes());
     scalarField rank(from.map().nUnknowns(), -GREAT);
     for (const label n : nodes) rank[from.start(0, n)] = -Pstream::myProcNo();
     from.map().maximum(rank);
@@ -192,7 +192,7 @@ void Foam::matchingInterface::constrain(dofConstraints&)
     forAll(nodes, i) speaks_[i] = rank[from.start(0, nodes[i])] == -Pstream::myProcNo();
 
     const vectorField &Xs = solid().fe().points(), &Xf = fluid().fe().points();
-    offset_ = vectorField(fluidNodes().size(), Zero);
+    offset_ = vectorField(followerNodes().size(), Zero);
     handOver
     (
         [&](const label n) { return Xs[n]; },
