@@ -95,7 +95,9 @@ def topology(cells, patchOf, types):
     return nodes, [[label[p] for p in f] for f in faces], owner, [f[1] for f in internal], patches
 
 
-def write(directory, region, points, faces, owner, neighbour, patches):
+def write(directory, region, points, faces, owner, neighbour, patches, zones={}):
+    """zones: cells by the names of cellZones"""
+
     os.makedirs(directory, exist_ok=True)
 
     def file(name, type, lines):
@@ -110,3 +112,7 @@ def write(directory, region, points, faces, owner, neighbour, patches):
     file('boundary', 'polyBoundaryMesh', [
         '    %s\n    {\n        type %s;\n        nFaces %d;\n        startFace %d;\n    }' % p
         for p in patches])
+    if zones:
+        file('cellZones', 'regIOobject', [
+            '    %s\n    {\n        type cellZone;\n        cellLabels List<label> %d(%s);\n    }'
+            % (name, len(cells), ' '.join(map(str, cells))) for name, cells in zones.items()])
