@@ -136,11 +136,12 @@ void checkCase(const coupledSystem& problem, const scalar deltaT)
     }
     for (const feInterface& i : problem.interfaces())
     {
+        if (!i.moves()) continue;
         scalar fluid = 0, solid = 0;
         forAll(materials, r)
         {
-            if (&problem.regions()[r] == &i.fluid()) fluid = materials[r].maxRho;
-            if (&problem.regions()[r] == &i.solid()) solid = materials[r].maxRho;
+            if (&problem.regions()[r] == &i.follower()) fluid = materials[r].maxRho;
+            if (&problem.regions()[r] == &i.leader()) solid = materials[r].maxRho;
         }
         if (!(fluid > 0 && solid > 0) || (solid < 1e5*fluid && fluid < 1e5*solid)) continue;
         WarningInFunction
