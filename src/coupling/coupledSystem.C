@@ -159,7 +159,14 @@ void Foam::coupledSystem::makeSystem()
     }
     tangent_.reset
     (
-        new tangentSolver(map(), constraints(), scatter, solution_.subDict("linearSolver"))
+        new tangentSolver
+        (
+            map(), constraints(), scatter, solution_.subDict("linearSolver"),
+            tangentSolver::modes.getOrDefault
+            (
+                "tangent", subDictOrEmpty(solution_, "newton"), tangentSolver::mode::AUTOMATIC
+            )
+        )
     );
     for (feRegion& region : regions_) region.colour(tangent_->K());
     norms_.reset(new residualNorms(unknowns_(), regions_));
@@ -186,6 +193,7 @@ Foam::coupledSystem::coupledSystem(Time& runTime)
     writer_(*this),
     deltaT0_(runTime.deltaTValue()),
     nIterations_(0),
+    firstNorm_(-1),
     failedNorm_(-1)
 {
     trapsOff::inThreads();

@@ -177,12 +177,12 @@ void Foam::coupledSystem::logIteration(const label nLinear, const scalar part) c
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::coupledSystem::predict()
+void Foam::coupledSystem::predict(const scalar deltaT, const scalar deltaT0)
 {
     staticStage_.select(regions_, kept_.at.time);
     for (feRegion& region : regions_)
     {
-        region.timeScheme().setDeltaT(runTime_.deltaTValue(), deltaT0_);
+        region.timeScheme().setDeltaT(deltaT, deltaT0);
         region.predict(runTime_.value());
     }
     follow();
@@ -192,6 +192,7 @@ void Foam::coupledSystem::predict()
 bool Foam::coupledSystem::newtonLoop()
 {
     label nLinear = -1;
+    tangent_->start();
     while (true)
     {
         // The first tangent is always wanted, a later one perhaps, and the residual
@@ -203,7 +204,7 @@ bool Foam::coupledSystem::newtonLoop()
         const bool more = newton_.loop(norms_->largest(), norms_->isNil(), minDetJ());
         logIteration(nLinear, part);
         if (!more) break;
-        if (!first) assemble(true);
+        if (tangent_->wantsMatrix(norms_->largest()) && !first) assemble(true);
         if (!solve()) break;
         nLinear = tangent_->nIterations();
         update();
@@ -220,6 +221,8 @@ bool Foam::coupledSystem::step()
     nIterations_ = 0;
     for (const newtonControl::way& way : newton_.ways())
     {
+        const bool isPseudo = newtonControl::isPseudoTransient(way);
+        if (isPseudo && !isSteady()) continue;
         if (nIterations_)
         {
             Info<< outcome().c_str() << ": another way, by " << way.name << nl;
@@ -227,9 +230,17 @@ bool Foam::coupledSystem::step()
             restore();
             static_cast<TimeState&>(runTime_) = time;
         }
+        if (isPseudo)
+        {
+            if (pseudoTransient()) break;
+            continue;
+        }
         predict();
-        newton_.start(way);
-        if (newtonLoop() || !newton_.mayTurn()) break;
+        newton_.start(way, tangent_->patience());
+        const bool first = nIterations_ == 0;
+        const bool found = newtonLoop();
+        if (first) firstNorm_ = ::sqrt(sumSqr(norms_->first()));
+        if (found || !newton_.mayTurn()) break;
     }
 
     for (label b = 0; b < norms_->nBlocks(); ++b)
@@ -276,13 +287,10 @@ Foam::string Foam::coupledSystem::placeOfFailure() const
 bool Foam::coupledSystem::smallerMayHelp()
 {
     const label outcome = newton_.outcome();
-    bool steady = true;
-    for (const feRegion& region : regions_) steady = steady && region.timeScheme().steady();
 
     // A steady step that begins with the same residual is the same problem
-    const scalar size = ::sqrt(sumSqr(norms_->first()));
-    const bool same = steady && size == failedNorm_;
-    failedNorm_ = size;
+    const bool same = isSteady() && firstNorm_ == failedNorm_;
+    failedNorm_ = firstNorm_;
     return
         !same && outcome != newtonControl::OUT_OF_MEMORY
      && (outcome != newtonControl::SINGULAR || times_.nSteps > 0);

@@ -16,7 +16,6 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "coupledSystem.H"
-#include "IStringStream.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -92,13 +91,8 @@ bool Foam::coupledSystem::solveRates
 )
 {
     store();
-    const dictionary Euler(IStringStream("type Euler;")());
-    PtrList<autoPtr<feTimeScheme>> schemes;
-    for (feRegion& region : regions_)
-    {
-        schemes.append(new autoPtr<feTimeScheme>(feTimeScheme::New(Euler)));
-        region.exchange(schemes.last());
-    }
+    schemes Euler(EulerSchemes());
+    exchange(Euler);
 
     // Values that are given go on from those of the start
     runTime_.setDeltaT(deltaT, false);
@@ -107,9 +101,9 @@ bool Foam::coupledSystem::solveRates
 
     rates.scalars.setSize(regions_.size());
     rates.vectors.setSize(regions_.size());
+    exchange(Euler);
     forAll(regions_, r)
     {
-        regions_[r].exchange(schemes[r]);
         for (const statePart& part : regions_[r].state().parts())
         {
             keepRates(part.scalars(), rates.scalars[r], wanted);

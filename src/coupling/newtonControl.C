@@ -13,11 +13,16 @@
 namespace Foam
 {
 
-static const newtonControl::way fullSteps{"full steps", 1, false, 1};
+static const newtonControl::way fullSteps{"full steps", 1, false, 1, 0};
 static const newtonControl::way fallBacks[] =
-    {{"lineSearch", 1, true, 1}, {"relaxation", 0.5, true, 3}};
+    {{"lineSearch", 1, true, 1, 0}, {"relaxation", 0.5, true, 3, 0}, newtonControl::pseudoStep};
 
 } // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::newtonControl::way Foam::newtonControl::pseudoStep{"pseudoTransient", 1, false, 0.5, 0.1};
 
 
 // * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
@@ -46,21 +51,24 @@ Foam::newtonControl::newtonControl(const dictionary& dict)
     iteration_(-1),
     norm_(GREAT),
     firstNorm_(GREAT),
+    least_(GREAT),
+    leastAt_(0),
     nGrowths_(0),
     minDetJ_(GREAT),
     outcome_(CONVERGED)
 {
-    reportUnknownEntries(dict, {"tolerance", "maxIter", "relaxation", "linearTolerance", "fallBack"});
-    for (const word& name : dict.lookupOrDefault("fallBack", wordList({"lineSearch", "relaxation"})))
+    reportUnknownEntries(dict, {"tolerance", "maxIter", "relaxation", "linearTolerance", "fallBack", "tangent"});
+    wordList names;
+    for (const way& w : fallBacks) names.append(w.name);
+    for (const word& name : dict.lookupOrDefault("fallBack", names))
     {
-        const label found = name == fallBacks[0].name ? 0 : name == fallBacks[1].name ? 1 : -1;
-        if (found < 0)
+        if (!names.found(name))
         {
             FatalIOErrorInFunction(dict)
-                << "Unknown way '" << name << "' in fallBack, expected a list of "
-                << fallBacks[0].name << " and " << fallBacks[1].name << exit(FatalIOError);
+                << "Unknown way '" << name << "' in fallBack, expected a list of some of " << names
+                << exit(FatalIOError);
         }
-        ways_.append(fallBacks[found]);
+        ways_.append(fallBacks[names.find(name)]);
     }
     if
     (
@@ -80,9 +88,10 @@ Foam::newtonControl::newtonControl(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::newtonControl::start(const way& w)
+void Foam::newtonControl::start(const way& w, const scalar patience)
 {
     way_ = w;
+    way_.patience *= patience;
     nGrowths_ = 0;
     iteration_ = -1;
     norm_ = GREAT;
@@ -112,13 +121,19 @@ bool Foam::newtonControl::loop(const scalar norm, const bool nil, const scalar m
     nGrowths_ = iteration_ > 0 && norm > max(norm_, firstNorm_) ? nGrowths_ + 1 : 0;
     norm_ = norm;
     minDetJ_ = minDetJ;
+    if (iteration_ == 0 || norm < least_)
+    {
+        least_ = norm;
+        leastAt_ = iteration_;
+    }
+    const bool stalls = way_.relaxation < 1 && iteration_ - leastAt_ >= maxIter_;
 
     if (outcome_ != CONVERGED) return false;
     if (minDetJ <= 0) outcome_ = INVERTED_ELEMENT;
     else if (!std::isfinite(norm) || !std::isfinite(minDetJ)) outcome_ = NOT_FINITE;
     else if (norm > 1e8*max(firstNorm_, 1.0) || nGrowths_ == 5) outcome_ = DIVERGED;
-    else if (norm <= tolerance_ && (nil || iteration_ > 0)) return false;
-    else if (iteration_ >= maxIter_*way_.patience) outcome_ = MAX_ITERATIONS;
+    else if (norm <= max(tolerance_, way_.enough*firstNorm_) && (nil || iteration_ > 0)) return false;
+    else if (iteration_ >= maxIter_*way_.patience || stalls) outcome_ = MAX_ITERATIONS;
 
     return ok();
 }

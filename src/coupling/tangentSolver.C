@@ -7,6 +7,14 @@
 #include "tangentSolver.H"
 #include "readNumber.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::Enum<Foam::tangentSolver::mode> Foam::tangentSolver::modes
+({
+    {mode::AUTOMATIC, "automatic"}, {mode::EXACT, "exact"}, {mode::KRYLOV, "Krylov"}, {mode::ANDERSON, "Anderson"}
+});
+
+
 // * * * * * * * * * * * * * * * factorPolicy * * * * * * * * * * * * * * * * //
 
 void Foam::factorPolicy::made(const scalar nFlops, const scalar nNonzeros)
@@ -84,7 +92,8 @@ Foam::tangentSolver::tangentSolver
     const nodeMap& map,
     const dofConstraints& constraints,
     const UPtrList<elementScatter>& scatter,
-    const dictionary& dict
+    const dictionary& dict,
+    const mode m
 )
 :
     map_(map),
@@ -92,6 +101,10 @@ Foam::tangentSolver::tangentSolver
     K_(new feMatrix(map, map, &constraints, scatter)),
     factors_(new feFactors(map, K_(), dict)),
     gmres_(map, dict.found("maxIter") ? readMaxIter(dict) : 60),
+    mode_(m),
+    anderson_(map),
+    nFixed_(0),
+    before_(GREAT),
     nFactorisations_(0),
     nIterations_(-1)
 {}
@@ -111,6 +124,54 @@ Foam::tangentSolver::outcome Foam::tangentSolver::remake
 }
 
 
+void Foam::tangentSolver::start()
+{
+    anderson_.clear();
+    nFixed_ = 0;
+    before_ = GREAT;
+}
+
+
+bool Foam::tangentSolver::wantsMatrix(const scalar norm)
+{
+    if (mode_ != mode::ANDERSON) return true;
+
+    // New factors where six iterations have not brought a tenth
+    if (nFixed_ % 6 == 0)
+    {
+        if (nFixed_ && norm > 0.1*before_) drop();
+        before_ = norm;
+    }
+    return !policy_.has;
+}
+
+
+Foam::tangentSolver::outcome Foam::tangentSolver::solveByAnderson
+(
+    const scalarField& R,
+    const scalarField& rowScale,
+    scalarField& dx,
+    systemTimes& times
+)
+{
+    if (!policy_.has)
+    {
+        const outcome made = factorise(times);
+        if (made != outcome::OK) return made;
+        start();
+    }
+    systemTimes::timer timer(times, systemTimes::SOLVE);
+    b_ = -R;
+    const outcome result = from(factors_->solve(b_, y_));
+    constraints_.distribute(y_);
+    anderson_.next(R, y_, rowScale, dx);
+    ++nFixed_;
+    nIterations_ = 1;
+    ++times.nLinear;
+    return result;
+}
+
+
 Foam::tangentSolver::outcome Foam::tangentSolver::solve
 (
     const action& A,
@@ -121,6 +182,9 @@ Foam::tangentSolver::outcome Foam::tangentSolver::solve
     systemTimes& times
 )
 {
+    if (mode_ == mode::ANDERSON) return solveByAnderson(R, rowScale, dx, times);
+    if (mode_ == mode::EXACT) drop();
+
     outcome result = outcome::OK;
     const auto scaledA = [&](const scalarField& x, scalarField& y)
     {
@@ -149,7 +213,7 @@ Foam::tangentSolver::outcome Foam::tangentSolver::solve
         fresh = true;
     }
 
-    label limit = fresh ? gmres_.maxIter() : policy_.limit(gmres_.maxIter());
+    label limit = fresh || mode_ == mode::KRYLOV ? gmres_.maxIter() : policy_.limit(gmres_.maxIter());
     nIterations_ = iterate(limit);
     if (nIterations_ > limit && !fresh)
     {
@@ -159,7 +223,7 @@ Foam::tangentSolver::outcome Foam::tangentSolver::solve
         nIterations_ = iterate(limit);
     }
     if (result != outcome::OK) return result;
-    policy_.used(nIterations_);
+    if (mode_ != mode::KRYLOV) policy_.used(nIterations_);
     times.nLinear += nIterations_;
     return nIterations_ > limit ? outcome::STALLED : outcome::OK;
 }

@@ -22,6 +22,7 @@ Description
 #include "exitOnError.H"
 #include "refuseBlanks.H"
 #include "stockFunctionObjects.H"
+#include "caseChecks.H"
 
 using namespace Foam;
 
@@ -67,13 +68,14 @@ int main(int argc, char *argv[])
     remeshing remesh(problem);
     stepControl step(runTime, problem.solution());
     problem.report();
+    checkCase(problem, runTime.deltaTValue());
     if (args.found("dry-run"))
     {
         Info<< "Dry run: the case can be run" << nl << "End\n" << endl;
         return 0;
     }
 
-    timeError error(problem.regions(), step.wantsError());
+    timeError error(runTime, problem.regions(), step.wantsError());
     while (step.next())
     {
         problem.store();

@@ -5,17 +5,26 @@
 \*---------------------------------------------------------------------------*/
 
 #include "timeError.H"
+#include "Time.H"
+#include "fourDigits.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
 
-static scalar largest(const vectorField& f)
+//- Root mean square over the nodes of all ranks
+static scalar rms(const feRegion& region, const vectorField& f)
 {
-    scalar most = 0;
-    for (const vector& x : f) most = max(most, mag(x));
-    return returnReduce(most, maxOp<scalar>());
+    scalar sum = 0, n = 0;
+    for (const label node : region.fe().copies().ownedNodes())
+    {
+        sum += magSqr(f[node]);
+        n += 1;
+    }
+    reduce(sum, sumOp<scalar>());
+    reduce(n, sumOp<scalar>());
+    return ::sqrt(sum/max(n, scalar(1)));
 }
 
 } // End namespace Foam
@@ -26,18 +35,36 @@ static scalar largest(const vectorField& f)
 template<class F>
 void Foam::timeError::forFields(const F& f) const
 {
-    // Of fields known by their velocity, and by their displacement
-    const std::pair<const char*, const char*> levels[] = {{"", "Rate"}, {"Velocity", "Acceleration"}};
-    for (const feRegion& region : regions_)
+    const std::pair<word, word> fields[] =
     {
-        for (const char* name : {"U", "D", "meshDisplacement"}) for (const auto& level : levels)
-        {
-            const vectorField* v = region.state().find<vector>(word(name) + level.first);
-            const vectorField* a = region.state().find<vector>(word(name) + level.second);
-            if (v && a) f(*v, *a);
-        }
+        {"U", "URate"}, {"D", "DVelocity"}, {"meshDisplacement", "meshDisplacementVelocity"}
+    };
+    for (const feRegion& region : regions_) for (const auto& field : fields)
+    {
+        const vectorField* q = region.state().find<vector>(field.first);
+        const vectorField* rate = region.state().find<vector>(field.second);
+        if (q && rate) f(region, field.first, *q, *rate);
     }
 }
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::timeError::timeError(const Time& runTime, const PtrList<feRegion>& regions, const bool wanted)
+:
+    IOdictionary
+    (
+        IOobject
+        (
+            "timeError", runTime.timeName(), "uniform", runTime,
+            wanted ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
+            wanted ? IOobject::AUTO_WRITE : IOobject::NO_WRITE
+        )
+    ),
+    regions_(regions),
+    wanted_(wanted),
+    sizes_(lookupOrDefault("sizes", scalarField()))
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -45,29 +72,46 @@ void Foam::timeError::forFields(const F& f) const
 void Foam::timeError::store()
 {
     if (!wanted_) return;
-    v_.clear();
-    a_.clear();
-    forFields([&](const vectorField& v, const vectorField& a)
+    rates_.clear();
+    forFields([&](const feRegion&, const word&, const vectorField&, const vectorField& rate)
     {
-        v_.append(v);
-        a_.append(a);
+        rates_.append(rate);
     });
+    if (sizes_.size() != rates_.size()) sizes_ = scalarField(rates_.size(), 0);
 }
 
 
-Foam::scalar Foam::timeError::estimate(const TimeState& time) const
+Foam::scalar Foam::timeError::estimate(const TimeState& time)
 {
-    if (!wanted_ || time.timeIndex() < 3) return 0;
+    static const scalar kept = 0.99;
+    if (!wanted_) return 0;
     scalar error = 0;
+    word by;
     label i = 0;
-    forFields([&](const vectorField& v, const vectorField& a)
+    forFields([&](const feRegion& region, const word& name, const vectorField& q, const vectorField& rate)
     {
-        const scalar size = max(largest(v), largest(v_[i]));
-        const scalar change = largest(a - a_[i]);
-        if (size > 0) error = max(error, time.deltaTValue()*change/(12*size));
+        sizes_[i] = max(kept*sizes_[i], rms(region, q));
+        const scalar change = rms(region, rate - rates_[i]);
+        const scalar e = sizes_[i] > 0 ? time.deltaTValue()*change/(12*sizes_[i]) : 0;
+        if (e > error)
+        {
+            error = e;
+            by = region.name() + '.' + name;
+        }
         ++i;
     });
+    if (time.timeIndex() < 3 || by.empty()) return 0;
+    Info<< "Time error " << fourDigits(error) << " of " << by << nl;
     return error;
+}
+
+
+bool Foam::timeError::writeData(Ostream& os) const
+{
+    const auto digits = os.precision(17);
+    os.writeEntry("sizes", sizes_);
+    os.precision(digits);
+    return os.good();
 }
 
 

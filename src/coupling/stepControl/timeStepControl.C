@@ -144,7 +144,8 @@ public:
         stepSize size{deltaT*target_/max(nIterations, 1), "iterations"};
         if (wantsError() && error > 0)
         {
-            size.limit(0.9*deltaT*::sqrt(errorTolerance_/error), "error");
+            // Not less than half: a jump of the step excites what it cannot resolve
+            size.limit(deltaT*max(0.9*::sqrt(errorTolerance_/error), scalar(0.5)), "error");
         }
         return size;
     }

@@ -4,11 +4,12 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 
 Description
-    Tests of gmres with a small unsymmetric matrix, its unknowns on any number
-    of ranks, some on several.
+    Tests of gmres and andersonSteps with a small unsymmetric matrix, its
+    unknowns on any number of ranks, some on several.
 \*---------------------------------------------------------------------------*/
 
 #include "gmres.H"
+#include "andersonSteps.H"
 #include "gatherAll.H"
 #include "trapsOff.H"
 #include <Eigen/Dense>
@@ -235,6 +236,42 @@ TEST(gmres, endsWhereThereAreNoNumbers)
     column x;
     EXPECT_EQ(s.solve(bad, matrix::Identity(n, n), 1e-12, n, x, s.b), 1);
     EXPECT_FALSE(x.allFinite());
+}
+
+
+//- Residuals after fixed-point iterations with M = 6 for A
+static List<scalar> fixedPoint(const smallSystem& s, const label most, const bool accelerated)
+{
+    andersonSteps steps(s.map);
+    column x = column::Zero(n);
+    scalarField dx(s.map.nUnknowns(), 0);
+    const scalarField W(s.map.nUnknowns(), 2);
+    List<scalar> norms;
+    for (label k = 0; k <= most; ++k)
+    {
+        const column R = s.A*x - s.b;
+        norms.append(R.norm()/s.b.norm());
+        if (!accelerated) steps.clear();
+        steps.next(s.field(R), s.field(-R/6), W, dx);
+        x += s.dense(dx);
+    }
+    return norms;
+}
+
+
+TEST(andersonSteps, solveALinearProblemInAsManyStepsAsUnknowns)
+{
+    const smallSystem s;
+    const List<scalar> norms(fixedPoint(s, n + 1, true));
+    EXPECT_LT(norms[n + 1], 1e-9);
+    EXPECT_GT(fixedPoint(s, n + 1, false).last(), 1e-3);
+}
+
+
+TEST(andersonSteps, oneIterationIsThatOfTheFixedPoint)
+{
+    const smallSystem s;
+    EXPECT_DOUBLE_EQ(fixedPoint(s, 1, true)[1], fixedPoint(s, 1, false)[1]);
 }
 
 
