@@ -45,7 +45,7 @@ Foam::nonMatchingInterface::nonMatchingInterface
 )
 :
     fsiInterface(name, dict, regions),
-    tie_(*this, dict, dict.lookupOrDefault<Switch>("snap", false))
+    tie_(*this, this->dict(), dict.lookupOrDefault<Switch>("snap", false))
 {
     reportUnknownEntries(dict, {"type", "fluid", "solid", "tolerance", "weights", "unmatched", "snap"});
 }

@@ -46,7 +46,7 @@ Foam::tieInterface::tieInterface
 )
 :
     feInterface(name, dict, regions, "master", "slave"),
-    tie_(*this, dict),
+    tie_(*this, this->dict()),
     mesh_(follower().mesh().bounds().mag())
 {
     if (leader().leads() != follower().leads()) failRegions("two solids or two fluids");
