@@ -10,6 +10,7 @@
 #include "patchIntegrals.H"
 #include "readNumber.H"
 #include "readTurbulence.H"
+#include "startFunctions.H"
 #include "unknownEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -102,6 +103,33 @@ void Foam::aleFluid::checkCells() const
 }
 
 
+void Foam::aleFluid::findMacros()
+{
+    const wordList choices({"all", "macroElements"});
+    const word modes(schemes_.lookupOrDefault<word>("pressureModes", choices[0]));
+    if (!choices.found(modes) || (modes == choices[1] && !cellPressure()))
+    {
+        FatalIOErrorInFunction(schemes_)
+            << "Found pressureModes " << modes << " with elements " << familyNames[k_.family]
+            << ". Valid: " << choices << ", the second with Q1Q0" << exit(FatalIOError);
+    }
+    const bool first = !assembly_.valid(), closed = cellPressure() && schemes_.found("pRefPoint");
+    if (modes == choices[0] && !(first && closed)) return;
+    macros_.reset(new pressureMacros(fe()));
+    if (first)
+    {
+        Info<< "Region " << name() << ": " << macros_->nGroups() << " groups of " << (fe().dim() == 2 ? 4 : 8)
+            << (
+                   modes == choices[0]
+                 ? " cells, each of which may have a checkerboard of the pressure, which a closed cavity of equal"
+                   " cells leaves undetermined: pressureModes macroElements leaves it out"
+                 : " cells have pressures without checkerboards (pressureModes macroElements)"
+               ) << nl;
+    }
+    if (modes == choices[0]) macros_.clear();
+}
+
+
 void Foam::aleFluid::findPressureReference()
 {
     pRefNode_ = -1;
@@ -114,7 +142,7 @@ void Foam::aleFluid::findPressureReference()
         distance = GREAT;
         forAll(q_.v, n)
         {
-            if (mag(pressurePoint(n) - x) >= distance) continue;
+            if (mag(pressurePoint(n) - x) >= distance || (macros_.valid() && macros_->follows(n))) continue;
             distance = mag(pressurePoint(n) - x);
             pRefNode_ = n;
         }
@@ -187,6 +215,10 @@ void Foam::aleFluid::initialise()
     q_ = rateField<scalar>(layout().size(PRESSURE));
     v_.v = fe().interpolate<vector>(pointU_->primitiveField());
     q_.v = scalarField(pointP_->primitiveField(), fe().vertexPoint());
+    const startFunctions start(mesh_, {"pointU", "pointP"});
+    start.set("pointU", fe().points(), v_.v);
+    start.set("pointP", fe().points(), q_.v);
+    if (fe().dim() == 2) for (vector& v : v_.v) v[fe().axis(2)] = 0;
     if (cellPressure())
     {
         const scalarField p(q_.v);
@@ -235,6 +267,7 @@ void Foam::aleFluid::makeFields()
     const bool first = returnReduce(v_.size() != fe().nNodes(), orOp<bool>());
     if (first) initialise();
     loads_.reset(new flowLoads(fe(), pointU_(), pointP_(), openPressure_, first));
+    findMacros();
     assembly_.reset(new flowAssembly(fe()));
     if (k_.tracked) subscales_.setSize(assembly_->nPoints(), mesh_.nCells());
     findPressureReference();
@@ -242,6 +275,7 @@ void Foam::aleFluid::makeFields()
     {
         if (pRefNode_ != -1) q_.v[pRefNode_] = pRefValue_;
         if (!cellPressure()) boundary_->cyclic().follow(q_.v);
+        if (macros_.valid()) macros_->project(q_.v);
     }
 
     stage_ = flowFields(fe().nNodes(), layout().size(PRESSURE));
@@ -306,7 +340,7 @@ Foam::aleFluid::aleFluid(fvMesh& mesh, const dictionary& linearSolver)
     motion_(mesh, linearSolver),
     stage_(0, 0)
 {
-    wordList known({"elements", "timeScheme", "curvedPatches", "pRefPoint", "pRefValue"});
+    wordList known({"elements", "timeScheme", "curvedPatches", "pRefPoint", "pRefValue", "pressureModes"});
     known.append(flowStabilisation::entries(schemes_));
     reportUnknownEntries(schemes_, known);
     k_.family = familyNames.get("elements", schemes_);
@@ -334,6 +368,7 @@ void Foam::aleFluid::constrain(dofConstraints& c) const
 {
     boundary_->constrain(unknowns(), VELOCITY, c, labelHashSet(motion_.following()));
     if (!cellPressure()) boundary_->cyclic().tie(unknowns(), PRESSURE, c);
+    if (macros_.valid()) macros_->tie(unknowns(), PRESSURE, c);
     if (pRefNode_ != -1) c.fix(unknowns().start(PRESSURE, pRefNode_));
 }
 
@@ -428,7 +463,8 @@ Foam::string Foam::aleFluid::singularAdvice(const label field) const
     if (field == PRESSURE && cellPressure() && schemes_.found("pRefPoint"))
     {
         return "With Q1Q0 in a closed cavity of equal cells pressures in the pattern of a"
-            " checkerboard are undetermined: choose elements equalOrder or taylorHood";
+            " checkerboard are undetermined: choose pressureModes macroElements in feSchemes,"
+            " or elements equalOrder or taylorHood";
     }
     return
         field == PRESSURE
@@ -457,7 +493,11 @@ Foam::tmp<Foam::scalarField> Foam::aleFluid::endPressure() const
 
 void Foam::aleFluid::advance()
 {
-    if (k_.tracked) assembly_->subscales(k_, stage_, subscales_.now);
+    if (k_.tracked)
+    {
+        powers_ = assembly_->energy(k_, stage_);
+        assembly_->subscales(k_, stage_, subscales_.now);
+    }
     motion_.movePoints();
 }
 

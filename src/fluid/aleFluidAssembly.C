@@ -58,7 +58,7 @@ void Foam::aleFluid::assemble(scalarField& R, feMatrix* K)
     }
     minDetJ_ = assembly_->assemble(k_, stage_, force_, continuity_, K ? &to : nullptr);
 
-    loads_->addSurface(k_.rho, ts.alphaF(), stageTime(), stage_, unknowns(), force_, K);
+    loads_->addSurface({k_.rho, ts.alphaF(), stageTime(), stage_, unknowns(), force_, K});
     if (source) addVolumeLoad(fe(), stage_.x, source, stageTime(), force_);
 
     unknowns().add(VELOCITY, force_, R);

@@ -92,6 +92,26 @@ void Foam::flowAssembly::eddyViscosity
 }
 
 
+Foam::flowEnergy Foam::flowAssembly::energy(const flowParameters& k, const flowFields& fields) const
+{
+    flowEnergy E;
+    switch (k.family)
+    {
+        case flowFamily::EQUAL_ORDER: addEnergy<flowFamily::EQUAL_ORDER>(k, fields, E); break;
+        case flowFamily::TAYLOR_HOOD: addEnergy<flowFamily::TAYLOR_HOOD>(k, fields, E); break;
+        case flowFamily::Q1Q0: addEnergy<flowFamily::Q1Q0>(k, fields, E); break;
+    }
+    for
+    (
+        scalar* s :
+        {
+            &E.kinetic, &E.compression, &E.viscous, &E.eddy, &E.stabilisation, &E.weight, &E.transport
+        }
+    ) reduce(*s, sumOp<scalar>());
+    return E;
+}
+
+
 void Foam::flowAssembly::subscales
 (
     const flowParameters& k,

@@ -7,6 +7,6 @@
 #include "flowAssemblyBlock.H"
 
 compileFlow(EQUAL_ORDER, true, true);
-compileSubscales(EQUAL_ORDER);
+compileFamily(EQUAL_ORDER);
 
 // ************************************************************************* //

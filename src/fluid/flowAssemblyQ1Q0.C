@@ -8,6 +8,6 @@
 
 compileFlow(Q1Q0, true, false);
 compileFlow(Q1Q0, true, true);
-compileSubscales(Q1Q0);
+compileFamily(Q1Q0);
 
 // ************************************************************************* //

@@ -7,6 +7,6 @@
 #include "flowAssemblyBlock.H"
 
 compileFlow(TAYLOR_HOOD, true, true);
-compileSubscales(TAYLOR_HOOD);
+compileFamily(TAYLOR_HOOD);
 
 // ************************************************************************* //

@@ -37,14 +37,14 @@ void Foam::flowLoads::addOpen
     const Traction& traction,
     const Pressure& pressure,
     const surfaceLoad::answer& answer,
-    const scalar rho,
-    const scalar columns,
-    const flowFields& stage,
-    const fieldUnknowns& unknowns,
-    vectorField& force,
-    feMatrix* K
+    const job& j
 ) const
 {
+    const scalar rho = j.rho, columns = j.columns;
+    const flowFields& stage = j.stage;
+    const fieldUnknowns& unknowns = j.unknowns;
+    vectorField& force = j.force;
+    feMatrix* K = j.K;
     const scalar total = answer.total ? rho : 0, beta = answer.backflow*rho, Z = answer.impedance;
     constexpr int dim = F::dim + 1;
     typedef Vec<double, dim> vec;
@@ -144,7 +144,7 @@ Foam::flowLoads::flowLoads
                 << " pointU" << exit(FatalError);
         }
         if (first) Info<< "Patch " << p.patch().name() << " of region " << fe.mesh().name()
-            << " is a pressure boundary: values of pointP, backflow stabilisation 0.5" << nl;
+            << " is a pressure boundary: values of pointP, backflow stabilisation " << backflow(patchi) << nl;
         pressurePatches_.append(patchi);
     }
     if (!first || pressurePatches_.empty()) return;
@@ -155,66 +155,69 @@ Foam::flowLoads::flowLoads
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::flowLoads::backflow(const label patchi) const
+{
+    const auto* given = dynamic_cast<const nodalComponents*>(&pointU_.boundaryField()[patchi]);
+    return given ? given->backflow() : 0.5;
+}
+
+
 bool Foam::flowLoads::isOpen(const pointPatchVectorField& pf)
 {
     return nodalBoundary::isNatural(pf) || dynamic_cast<const nodalComponents*>(&pf);
 }
 
 
-void Foam::flowLoads::addSurface
+template<class Traction, class Pressure>
+void Foam::flowLoads::addBlocks
 (
-    const scalar rho,
-    const scalar columns,
-    const scalar t,
-    const flowFields& stage,
-    const fieldUnknowns& unknowns,
-    vectorField& force,
-    feMatrix* K
+    const label patchi,
+    const Traction& traction,
+    const Pressure& pressure,
+    const surfaceLoad::answer& answer,
+    const job& j
 ) const
 {
-    const auto add = [&]
-    (
-        const label patchi, const auto& traction, const auto& pressure, const surfaceLoad::answer& answer
-    )
+    for (const elementBlock& block : fe_.patchBlocks(patchi)) withFaceElement(block, [&](auto F)
     {
-        for (const elementBlock& block : fe_.patchBlocks(patchi))
-        {
-            withFaceElement(block, [&](auto F)
-            {
-                if (F.dim != fe_.dim() - 1) return;
-                addOpen<decltype(F)>
-                (
-                    block, traction, pressure, answer, rho, columns, stage, unknowns, force, K
-                );
-            });
-        }
-    };
-    forAll(pointU_.boundaryField(), patchi)
+        if (F.dim == fe_.dim() - 1) addOpen<decltype(F)>(block, traction, pressure, answer, j);
+    });
+}
+
+
+bool Foam::flowLoads::addPatch(const label patchi, const job& j) const
+{
+    if (const auto* load = dynamic_cast<const surfaceLoad*>(&pointU_.boundaryField()[patchi]))
     {
-        const auto* load = dynamic_cast<const surfaceLoad*>(&pointU_.boundaryField()[patchi]);
-        if (!load || fe_.patchBlocks(patchi).empty()) continue;
-        add
+        addBlocks
         (
             patchi,
-            [&](const auto& at) { return load->traction(at(stage.x), t); },
-            [&](const auto& at) { return load->pressure(at(stage.x), t); },
-            load->toFlow()
+            [&](const auto& at) { return load->traction(at(j.stage.x), j.stageTime); },
+            [&](const auto& at) { return load->pressure(at(j.stage.x), j.stageTime); },
+            load->toFlow(),
+            j
         );
+        return true;
     }
-    if (pressurePatches_.empty()) return;
-    const scalarField pressure(p_.v0 + columns*(p_.v - p_.v0));
+    if (!pressurePatches_.found(patchi)) return false;
     surfaceLoad::answer bounded;
-    bounded.backflow = 0.5;
-    for (const label patchi : pressurePatches_)
-    {
-        add
-        (
-            patchi,
-            [](const auto&) { return vector::zero; },
-            [&](const auto& at) { return at(pressure); },
-            bounded
-        );
-    }
+    bounded.backflow = backflow(patchi);
+    const scalarField &p = p_.v, &p0 = p_.v0;
+    addBlocks
+    (
+        patchi,
+        [](const auto&) { return vector::zero; },
+        [&](const auto& at) { return at(p0) + j.columns*(at(p) - at(p0)); },
+        bounded,
+        j
+    );
+    return true;
+}
+
+
+void Foam::flowLoads::addSurface(const job& j) const
+{
+    forAll(pointU_.boundaryField(), patchi) addPatch(patchi, j);
 }
 
 

@@ -174,8 +174,12 @@ def field(name, dimensions, boundary, dim):
 
 
 def writeCase(directory, region, kind, n, elements, timeScheme='type steady;', solution='smooth',
-        deltaT=1, endTime=1, material='StVenantKirchhoff', distort=True):
-    """A case of the region fluid or solid alone"""
+        deltaT=1, endTime=1, material='StVenantKirchhoff', distort=True, flow=None):
+    """A case of the region fluid or solid alone; flow: further entries of a fluid's
+    feSchemes, transportProperties, turbulenceProperties and initialConditions by these
+    names, and moves, by which its left side moves as a sine of time"""
+
+    flow = flow or {}
 
     dim = 2 if kind in ('quad', 'tri') else 3
     fluid = region == 'fluid'
@@ -191,17 +195,26 @@ writeControl timeStep; writeInterval 1000000; timePrecision 12;''' % (
     writeFile(directory, 'system/feSolution',
         'newton { tolerance 1e-11; maxIter 30; }\nlinearSolver { type MUMPS; }')
     writeFile(directory, 'system/%s/feSchemes' % region,
-        'elements %s;\ntimeScheme { %s }' % (elements, timeScheme))
+        'elements %s;\ntimeScheme { %s }\n%s' % (elements, timeScheme, flow.get('feSchemes', '')))
     writeFile(directory, 'constant/regionProperties',
         'regions ( %s (%s) );' % (region, region))
 
     given = 'type manufactured; value uniform (0 0 0);'
     if fluid:
         writeFile(directory, 'constant/fluid/transportProperties',
-            'rho [1 -3 0 0 0 0 0] 1;\nmu [1 -1 -1 0 0 0 0] 0.1;')
+            'rho [1 -3 0 0 0 0 0] 1;\nmu [1 -1 -1 0 0 0 0] 0.1;\n' + flow.get('transportProperties', ''))
+        if 'turbulenceProperties' in flow:
+            writeFile(directory, 'constant/fluid/turbulenceProperties', flow['turbulenceProperties'])
+        if 'initialConditions' in flow:
+            writeFile(directory, 'system/fluid/initialConditions', flow['initialConditions'])
+        if 'moves' in flow:
+            writeMotion(directory, flow['moves'], dim)
+        left = given.replace(';', '; moves %s;' % flow['moves'], 1) if 'moves' in flow else given
+        right = 'type manufacturedLoad; of flow; normal (1 0 0); value uniform (0 0 0);'
+        if solution != 'transported':
+            right = 'type openBoundary; backflowStabilisation 0; value uniform (0 0 0);'
         writeFile(directory, '0/fluid/pointU', field('pointU', '0 1 -1 0 0 0 0', {
-            'default': given, 'right': 'type openBoundary; backflowStabilisation 0; value uniform (0 0 0);'},
-            dim), 'pointVectorField')
+            'default': given, 'left': left, 'right': right}, dim), 'pointVectorField')
         writeFile(directory, '0/fluid/pointP', field('pointP', '1 -1 -2 0 0 0 0', {
             'default': 'type zeroGradient;'}, dim), 'pointScalarField')
     else:
@@ -210,6 +223,18 @@ writeControl timeStep; writeInterval 1000000; timePrecision 12;''' % (
         writeFile(directory, '0/solid/pointD', field('pointD', '0 1 0 0 0 0 0', {
             'default': given}, dim), 'pointVectorField')
     writeMesh(os.path.join(directory, 'constant', region, 'polyMesh'), kind, n, distort)
+
+
+def writeMotion(directory, moves, dim):
+    """The left side of a fluid moves by moves sin(2 pi t), the others rest"""
+
+    writeFile(directory, 'constant/fluid/dynamicMeshDict',
+        'motionSolver feLaplacian; feLaplacianCoeffs { stiffness uniform; }')
+    writeFile(directory, '0/fluid/pointDisplacement', field('pointDisplacement', '0 1 0 0 0 0 0', {
+        'default': 'type fixedValue; value uniform (0 0 0);',
+        'left': 'type uniformFixedValue; uniformValue sine; uniformValueCoeffs'
+            ' { frequency 1; amplitude 1; scale %s; level (0 0 0); } value uniform (0 0 0);' % moves},
+        dim), 'pointVectorField')
 
 
 def solve(directory):

@@ -6,6 +6,7 @@
 
 #include "fixedComponentsPointPatchVectorField.H"
 #include "addToRunTimeSelectionTable.H"
+#include "readNumber.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -49,6 +50,10 @@ Foam::fixedComponentsCondition::fixedComponentsCondition
         values_.append(new optionalFunction1<scalar>("value", e.dict(), 0));
         codes_.append(profileCode(e.dict(), runTime));
     }
+    if (dict.found("backflowStabilisation"))
+    {
+        backflow_ = readNotNegative(dict, "backflowStabilisation", dimless);
+    }
     if (directions_.empty())
     {
         FatalIOErrorInFunction(dict)
@@ -62,7 +67,8 @@ Foam::fixedComponentsCondition::fixedComponentsCondition(const fixedComponentsCo
 :
     names_(c.names_),
     directions_(c.directions_),
-    codes_(c.codes_)
+    codes_(c.codes_),
+    backflow_(c.backflow_)
 {
     for (const optionalFunction1<scalar>& f : c.values_) values_.append(new optionalFunction1<scalar>(f));
 }
@@ -82,6 +88,7 @@ void Foam::fixedComponentsCondition::write(Ostream& os) const
         os.endBlock();
     }
     os.endBlock();
+    if (backflow_ != 0.5) os.writeEntry("backflowStabilisation", backflow_);
 }
 
 

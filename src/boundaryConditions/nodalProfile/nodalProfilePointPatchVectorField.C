@@ -26,28 +26,6 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::nodalProfilePointPatchVectorField::checkExponents
-(
-    const dictionary& dict
-) const
-{
-    for (const auto& term : terms_)
-    {
-        const vector& n = term.second();
-        for (direction a = 0; a < vector::nComponents; ++a)
-        {
-            if (n[a] >= 0 && n[a] == std::floor(n[a])) continue;
-            FatalIOErrorInFunction(dict)
-                << "Term " << term << " on patch " << patch().name()
-                << " has exponents " << n << ", expected whole numbers >= 0" << nl
-                << "A term is (coefficient exponents), both vectors, as in"
-                << " ((6 0 0) (0 1 0)) for 6 y in direction x"
-                << exit(FatalIOError);
-        }
-    }
-}
-
-
 Foam::tmp<Foam::pointField>
 Foam::nodalProfilePointPatchVectorField::undeformedPoints()
 {
@@ -94,7 +72,6 @@ Foam::nodalProfilePointPatchVectorField::nodalProfilePointPatchVectorField
 )
 :
     fixedValuePointPatchVectorField(p, iF),
-    origin_(Zero),
     scale_(1)
 {}
 
@@ -108,19 +85,10 @@ Foam::nodalProfilePointPatchVectorField::nodalProfilePointPatchVectorField
 :
     // Not false, with which v2306 and later do not read a value that is there
     fixedValuePointPatchVectorField(p, iF, dict, dict.found("value")),
-    terms_(dict.lookupOrDefault("terms", List<Tuple2<vector, vector>>())),
-    code_(dict, iF.db().time()),
-    origin_(dict.lookupOrDefault<point>("origin", Zero)),
+    shape_(dict, iF.db().time()),
     scale_("scale", dict, 1)
 {
-    reportUnknownEntries(dict, patchFieldEntries({"scale"}, {"terms", "code", "origin"}));
-    checkExponents(dict);
-    if (terms_.empty() && code_.empty())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Profile on patch " << p.name() << " has neither terms nor code;"
-            << " expected one of them at least" << exit(FatalIOError);
-    }
+    reportUnknownEntries(dict, patchFieldEntries({"scale"}, spaceFunction::entries()));
     if (!dict.found("value")) setValues();
 }
 
@@ -134,9 +102,7 @@ Foam::nodalProfilePointPatchVectorField::nodalProfilePointPatchVectorField
 )
 :
     fixedValuePointPatchVectorField(ptf, p, iF, mapper),
-    terms_(ptf.terms_),
-    code_(ptf.code_),
-    origin_(ptf.origin_),
+    shape_(ptf.shape_),
     scale_(ptf.scale_)
 {}
 
@@ -148,9 +114,7 @@ Foam::nodalProfilePointPatchVectorField::nodalProfilePointPatchVectorField
 )
 :
     fixedValuePointPatchVectorField(ptf, iF),
-    terms_(ptf.terms_),
-    code_(ptf.code_),
-    origin_(ptf.origin_),
+    shape_(ptf.shape_),
     scale_(ptf.scale_)
 {}
 
@@ -172,15 +136,7 @@ Foam::vector Foam::nodalProfilePointPatchVectorField::at
     const scalar t
 ) const
 {
-    const vector X = x - origin_;
-
-    vector u = code_.empty() ? vector::zero : code_(X, t);
-    for (const auto& term : terms_)
-    {
-        const vector& n = term.second();
-        u += term.first()*pow(X.x(), n.x())*pow(X.y(), n.y())*pow(X.z(), n.z());
-    }
-    return scale_(t)*u;
+    return scale_(t)*shape_(x, t);
 }
 
 
@@ -219,9 +175,7 @@ void Foam::nodalProfilePointPatchVectorField::write(Ostream& os) const
     pointPatchVectorField::write(os);
     {
         const fullPrecision exact(os);
-        if (!terms_.empty()) os.writeEntry("terms", terms_);
-        code_.write(os);
-        if (origin_ != point::zero) os.writeEntry("origin", origin_);
+        shape_.write(os);
         scale_.write(os);
     }
     writeEntry("value", os);

@@ -130,6 +130,41 @@ void Foam::nodalBoundary::addPlanes(const label patchi)
 }
 
 
+void Foam::nodalBoundary::addProfiles()
+{
+    forAll(field_.boundaryField(), patchi)
+    {
+        const auto* flow = dynamic_cast<const nodalFlow*>(&field_.boundaryField()[patchi]);
+        if (!flow) continue;
+
+        // A flat profile leaves nodes to patches that come later, a developed one
+        // to all others
+        boolList others(fe_.nNodes(), false);
+        for (const label n : fe_.patchNodes(patchi)) others[n] = patchOf_[n] != patchi + 1;
+        if (flow->developed()) forAll(field_.boundaryField(), patchj)
+        {
+            if (patchj == patchi || !isA<valuePointPatchField<vector>>(field_.boundaryField()[patchj])) continue;
+            for (const label n : fe_.patchNodes(patchj)) others[n] = true;
+        }
+        profiles_.set
+        (
+            patchi,
+            new patchProfile(fe_, patchi, normals(patchi), others, flow->developed())
+        );
+    }
+}
+
+
+void Foam::nodalBoundary::checkNumber(const label node, const vector& value, const scalar t) const
+{
+    if (std::isfinite(mag(value))) return;
+    FatalErrorInFunction
+        << "Field " << field_.name() << " of region " << fe_.mesh().name() << " has the value " << value
+        << " on patch " << patchName(node) << " at " << position(node) << " at time " << t
+        << ", expected finite numbers: see the functions of that patch" << exit(FatalError);
+}
+
+
 Foam::nodalBoundary::frame Foam::nodalBoundary::frameAt
 (
     const label node,
@@ -281,7 +316,7 @@ void Foam::nodalBoundary::check
             << " is of type " << pf.type() << ", which is not understood here: it"
             << " would be a free boundary in silence." << nl
             << "Understood are types with values (fixedValue, uniformFixedValue,"
-            << " nodalProfile, ...), slip, fixedNormalSlip, fixedComponents,"
+            << " nodalProfile, flowRateInlet, ...), slip, fixedNormalSlip, fixedComponents,"
             << " symmetry, symmetryPlane, wedge, cyclic, empty; for free boundaries"
             << " calculated, zeroGradient, and the loads openBoundary, traction,"
             << " followerPressure, springs; in a solid rigidPatch" << exit(FatalError);
@@ -319,6 +354,7 @@ Foam::nodalBoundary::nodalBoundary(const feMesh& fe, pointVectorField& field)
             addPlanes(patchi);
         }
     }
+    addProfiles();
 }
 
 

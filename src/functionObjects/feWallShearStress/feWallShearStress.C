@@ -48,14 +48,17 @@ Foam::labelList Foam::functionObjects::feWallShearStress::readPatches
 Foam::scalar Foam::functionObjects::feWallShearStress::mu() const
 {
     const dictionary& transport = mesh_.lookupObject<IOdictionary>("transportProperties");
-    const auto read = [&](const word& name, const dimensionSet& dimensions)
-    {
-        return dimensionedScalar(name, dimensions, transport).value();
-    };
     return
         transport.found("mu")
-      ? read("mu", dimDynamicViscosity)
-      : read("rho", dimDensity)*read("nu", dimViscosity);
+      ? dimensionedScalar("mu", dimDynamicViscosity, transport).value()
+      : rho()*dimensionedScalar("nu", dimViscosity, transport).value();
+}
+
+
+Foam::scalar Foam::functionObjects::feWallShearStress::rho() const
+{
+    const dictionary& transport = mesh_.lookupObject<IOdictionary>("transportProperties");
+    return dimensionedScalar("rho", dimDensity, transport).value();
 }
 
 
@@ -117,16 +120,18 @@ Foam::functionObjects::feWallShearStress::feWallShearStress
         IOobject("wallShearStress", runTime.timeName(), mesh_),
         mesh_,
         dimensionedVector(dimPressure, Zero)
-    )
+    ),
+    yPlus_(IOobject("yPlus", runTime.timeName(), mesh_), mesh_, dimensionedScalar(dimless, Zero))
 {
     read(dict);
 
-    writeHeader(file(), "Magnitude of the wall shear stress, Pa");
+    writeHeader(file(), "Magnitude of the wall shear stress, Pa; largest y+");
     wordList columns;
     for (const label patchi : patches_)
     {
         columns.append(mesh_.boundaryMesh()[patchi].name() + ".min");
         columns.append(mesh_.boundaryMesh()[patchi].name() + ".max");
+        columns.append(mesh_.boundaryMesh()[patchi].name() + ".yPlus");
     }
     writeColumns(file(), columns);
 }
@@ -156,7 +161,7 @@ bool Foam::functionObjects::feWallShearStress::execute()
     const feMesh& fe = region().fe();
     const vectorField& v = *nodal<vector>("pointU");
     const vectorField x(fe.points() + *nodal<vector>("pointDisplacement"));
-    const scalar mu = this->mu();
+    const scalar mu = this->mu(), rho = this->rho();
     findElements();
 
     for (const label patchi : patches_)
@@ -164,6 +169,7 @@ bool Foam::functionObjects::feWallShearStress::execute()
         const vectorField n(mesh_.boundary()[patchi].nf());
         const labelUList& faceCells = mesh_.boundary()[patchi].faceCells();
         vectorField& tau = tau_.boundaryFieldRef()[patchi];
+        scalarField& yPlus = yPlus_.boundaryFieldRef()[patchi];
 
         for (const elementBlock& faces : fe.patchBlocks(patchi))
         {
@@ -186,6 +192,15 @@ bool Foam::functionObjects::feWallShearStress::execute()
                     const vector t = mu*((gradV + gradV.T()) & n[facei]);
                     tau[facei] = t - (t & n[facei])*n[facei];
                 });
+
+                // The nearest node that is not on the wall
+                scalar y = GREAT;
+                for (label i = 0; i < block.nNodes; ++i)
+                {
+                    const vector r = x[vertices[0]] - x[block.element(at.second())[i]];
+                    if ((r & n[facei]) > 1e-3*mag(r)) y = min(y, r & n[facei]);
+                }
+                yPlus[facei] = mu > 0 ? y*::sqrt(rho*mag(tau[facei]))/mu : 0;
             }
         }
     }
@@ -203,17 +218,20 @@ bool Foam::functionObjects::feWallShearStress::write()
         const word& patch = mesh_.boundaryMesh()[patchi].name();
         const scalarField size(mag(tau_.boundaryField()[patchi]));
         const scalar smallest = gMin(size), largest = gMax(size);
+        const scalar yPlus = gMax(yPlus_.boundaryField()[patchi]);
 
-        Log << "    min/max(" << patch << ") = " << smallest << ", " << largest << nl;
+        Log << "    min/max(" << patch << ") = " << smallest << ", " << largest << ", y+ " << yPlus << nl;
+        setResult(patch + ".yPlus", yPlus);
         setResult(patch + ".min", smallest);
         setResult(patch + ".max", largest);
         row.append(smallest);
         row.append(largest);
+        row.append(yPlus);
     }
     Log << endl;
 
     writeRow(file(), row);
-    return tau_.write();
+    return tau_.write() && yPlus_.write();
 }
 
 

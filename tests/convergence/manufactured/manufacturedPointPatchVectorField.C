@@ -6,6 +6,7 @@
 
 #include "manufacturedPointPatchVectorField.H"
 #include "manufacturedSolution.H"
+#include "mathematicalConstants.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -29,7 +30,8 @@ Foam::vector Foam::manufacturedPointPatchVectorField::at
 ) const
 {
     const manufacturedSolution& s = manufacturedSolution::theSolution();
-    return internalField().name() == "pointU" ? s.U(x, t) : s.D(x, t);
+    if (internalField().name() != "pointU") return s.D(x, t);
+    return s.U(x + ::sin(constant::mathematical::twoPi*t)*moves_, t);
 }
 
 

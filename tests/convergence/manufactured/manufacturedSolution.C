@@ -213,6 +213,20 @@ public:
 };
 
 
+class transportedSolution : public smoothSolution
+{
+public:
+
+    using smoothSolution::smoothSolution;
+
+    //- A function of the stream function
+    virtual scalar p(const point& x, const scalar) const
+    {
+        return sin(2*sin(0.5*pi*x.x())*sin(0.5*pi*x.y()));
+    }
+};
+
+
 class polynomialSolution : public manufacturedSolution
 {
     static scalar T(const scalar t) { return pow3(sin(1.5*t)); }
@@ -277,11 +291,12 @@ Foam::autoPtr<Foam::manufacturedSolution> Foam::manufacturedSolution::New
 )
 {
     if (name == "polynomial") return autoPtr<manufacturedSolution>(new polynomialSolution(dim));
+    if (name == "transported") return autoPtr<manufacturedSolution>(new transportedSolution(dim));
     if (name == "wall") return autoPtr<manufacturedSolution>(new wallSolution(dim));
     if (name != "smooth")
     {
         FatalErrorInFunction
-            << "Unknown solution " << name << ". Valid: (polynomial smooth wall)" << exit(FatalError);
+            << "Unknown solution " << name << ". Valid: (polynomial smooth transported wall)" << exit(FatalError);
     }
     return autoPtr<manufacturedSolution>(new smoothSolution(dim));
 }

@@ -65,8 +65,14 @@ void reportErrors(const feRegion& region, const scalar t)
     {
         const aleFluid& fluid = refCast<const aleFluid>(region);
 
-        // Taylor-Hood's pressure is that of the vertices
-        scalarField p(fluid.endPressure());
+        // Taylor-Hood's pressure is that of the vertices; of the cells' the mean
+        const word smoothed("pointPSmoothed");
+        scalarField p
+        (
+            region.mesh().foundObject<pointScalarField>(smoothed)
+          ? scalarField(region.mesh().lookupObject<pointScalarField>(smoothed).primitiveField(), fe.vertexPoint())
+          : scalarField(fluid.endPressure())
+        );
         p.setSize(fe.nNodes());
         const List<labelList>& parent = fe.parents();
         forAll(parent, n)
@@ -117,6 +123,7 @@ int main(int argc, char *argv[])
         }
         problem.advance();
     }
+    for (feRegion& region : problem.regions()) region.derive();
     for (const feRegion& region : problem.regions()) reportErrors(region, runTime.value());
     return 0;
 }

@@ -31,7 +31,7 @@ void Foam::profileCode::compile
         OFstream os(source + own);
         os.writeQuoted
         (
-            "#include <cmath>\nusing namespace std;\nextern \"C\" void " + name
+            "#include <cmath>\n#include <complex>\nusing namespace std;\nextern \"C\" void " + name
           + "(const double* x, const double t, double* u)\n{\n" + code_ + "\n}\n",
             false
         );
