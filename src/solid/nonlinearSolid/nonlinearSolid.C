@@ -194,6 +194,15 @@ void Foam::nonlinearSolid::predict(const scalar time)
 }
 
 
+void Foam::nonlinearSolid::addLoads(vectorField& force, feMatrix* K) const
+{
+    const solidLoads loads(unknowns());
+    loads.addSurface(pointD_(), stage_(), stageTime(), force, K);
+    loads.addSupports(pointD_(), stage_(), stageVelocity_, timeScheme().velocityByUnknown(), force, K);
+    if (source) addVolumeLoad(fe(), fe().points(), source, stageTime(), force);
+}
+
+
 void Foam::nonlinearSolid::assemble(scalarField& R, feMatrix* K)
 {
     stage();
@@ -209,10 +218,7 @@ void Foam::nonlinearSolid::assemble(scalarField& R, feMatrix* K)
         );
     }
 
-    const solidLoads loads(unknowns());
-    loads.addSurface(pointD_(), stage_(), stageTime(), force_, K);
-    loads.addSupports(pointD_(), stage_(), stageVelocity_, timeScheme().velocityByUnknown(), force_, K);
-    if (source) addVolumeLoad(fe(), fe().points(), source, stageTime(), force_);
+    addLoads(force_, K);
 
     unknowns().add(DISPLACEMENT, force_, R);
     if (elements_.mixed) unknowns().add(PRESSURE, volume_, R);
@@ -282,27 +288,6 @@ Foam::string Foam::nonlinearSolid::singularAdvice(const label field) const
             " boundary is held: leave a part free, or give a bulkModulus";
     }
     return "A displacement is undetermined where nothing holds the solid";
-}
-
-
-void Foam::nonlinearSolid::derive()
-{
-    fe().toPoints<vector>(motion_.D, pointD_->primitiveFieldRef());
-    toCells<vector>(motion_.D, D_);
-
-    scalarField p(pressure_.v);
-    forAll(p, i) p[i] = pressure_.atEnd(timeScheme(), i);
-    p = scalarField(assembly_->cellPressure(p));
-    assembly_->stress(motion_.D, p, history_, sigma_.primitiveFieldRef());
-    if (elements_.mixed)
-    {
-        solidPressure_->primitiveFieldRef() = p;
-        solidPressure_->correctBoundaryConditions();
-    }
-    sigma_.correctBoundaryConditions();
-    const symmTensorField s(dev(sigma_.primitiveField()));
-    sigmaEq_.primitiveFieldRef() = sqrt(1.5*magSqr(s));
-    sigmaEq_.correctBoundaryConditions();
 }
 
 

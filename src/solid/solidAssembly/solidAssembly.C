@@ -5,9 +5,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "solidAssembly.H"
-#include "feValues.H"
+#include "shellLoop.H"
 #include "unknownEntries.H"
-#include "symmTensorField.H"
 #include <memory>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -137,7 +136,7 @@ void Foam::solidAssembly::addMaterial(const dictionary& dict, const label materi
     solidMaterial& material = materials_[materiali];
     material.setAxes({fe_.axis(0), fe_.axis(1), fe_.axis(2)});
     viscosity_.set(materiali, new solidViscosity(dict));
-    if (elements_.enhanced && !viscosity_[materiali].empty())
+    if ((elements_.enhanced || elements_.shell) && !viscosity_[materiali].empty())
     {
         FatalIOErrorInFunction(dict)
             << "Material '" << names_[materiali] << "' has Prony or damping, which elements "
@@ -159,22 +158,35 @@ void Foam::solidAssembly::addMaterial(const dictionary& dict, const label materi
             << "Choose elements Q1Q0, equalOrder or taylorHood in feSchemes, or give a"
             << " bulkModulus" << exit(FatalIOError);
     }
-    loops_.set(materiali, material.elementLoop());
+    if (elements_.shell && !shellLoop::suits(material))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Material '" << names_[materiali] << "' sees rotations, which elements "
+            << elements_.name << " cannot have." << nl
+            << "Choose StVenantKirchhoff in place of linearElastic, or other elements"
+            << exit(FatalIOError);
+    }
+    if (elements_.shell) loops_.set(materiali, new shellLoop(material));
+    else loops_.set(materiali, material.elementLoop());
 }
 
 
 void Foam::solidAssembly::checkShapes() const
 {
-    if (elements_.pressureOn != fieldLayout::support::CELLS) return;
+    const bool onCells = elements_.pressureOn == fieldLayout::support::CELLS;
     forAll(blocks_, b)
     {
         const elementShape shape = blocks_[b].shape;
-        if (!mixed(b) || shape == elementShape::QUAD || shape == elementShape::HEX) continue;
+        const bool isHex = shape == elementShape::HEX;
+        if (elements_.shell ? isHex : !onCells || !mixed(b) || isHex || shape == elementShape::QUAD) continue;
         FatalErrorInFunction
             << "Cell " << blocks_[b].cells[0] << " of region " << fe_.mesh().name() << " at "
             << fe_.mesh().cellCentres()[blocks_[b].cells[0]] << " is a " << elementName(shape)
-            << "; elements " << elements_.name << " are quadrilaterals and hexahedra." << nl
-            << "For other shapes choose equalOrder or taylorHood" << exit(FatalError);
+            << "; elements " << elements_.name << " are "
+            << (elements_.shell ? "" : "quadrilaterals and ") << "hexahedra." << nl
+            << "For other shapes choose "
+            << (elements_.shell ? "enhancedStrain or quadratic" : "equalOrder or taylorHood")
+            << exit(FatalError);
     }
 }
 
@@ -232,6 +244,7 @@ void Foam::solidAssembly::split(const labelList& cellMaterial)
             block.nNodes = all.nNodes;
             block.nodes.transfer(nodes);
             block.cells.transfer(cells);
+            if (elements_.shell && block.shape == elementShape::HEX) shellLoop::thicknessLast(fe_.points(), block);
             block.colour(fe_.nNodes());
             blocks.append(block);
             material.append(m);
@@ -324,83 +337,6 @@ Foam::scalar Foam::solidAssembly::assemble
         minDetJ = min(minDetJ, detJ);
     }
     return minDetJ;
-}
-
-
-template<class E>
-Foam::Ten<Foam::scalar, 3> Foam::solidAssembly::viscousStress
-(
-    const label blocki,
-    const label cell,
-    const viscousHistory& history
-) const
-{
-    const solidViscosity& viscosity = viscosity_[material_[blocki]];
-    constexpr label nQ = referenceTable<E>::nQ;
-    Ten<scalar, E::dim> sum = Ten<scalar, E::dim>::zero();
-    for (label i = 0; i < viscosity.nBranches(); ++i) for (label q = 0; q < nQ; ++q)
-    {
-        sum += (viscosity.g(i)/nQ)*history.stress<E::dim>(history.now, q, 1 + i, cell);
-    }
-    Ten<scalar, 3> S = Ten<scalar, 3>::zero();
-    for (int a = 0; a < E::dim; ++a) for (int b = 0; b < E::dim; ++b)
-    {
-        S(fe_.axis(a), fe_.axis(b)) = sum(a, b);
-    }
-    return S;
-}
-
-
-void Foam::solidAssembly::stress
-(
-    const vectorField& D,
-    const scalarField& p,
-    const viscousHistory& history,
-    symmTensorField& sigma
-) const
-{
-    forAll(blocks_, b)
-    {
-        const elementBlock& block = blocks_[b];
-        const auto* law = mixed(b) ? dynamic_cast<const mixedMaterial*>(&material(b)) : nullptr;
-        withElement(block, [&](auto tag)
-        {
-            typedef decltype(tag) E;
-            double centre[E::dim] = {}, N[E::nNodes], dN[E::nNodes][E::dim];
-            for (int i = 0; i < E::nVertices; ++i) for (int c = 0; c < E::dim; ++c)
-            {
-                centre[c] += E::xi[i][c]/E::nVertices;
-            }
-            E::shape(centre, N, dN);
-
-            for (label e = 0; e < block.size(); ++e)
-            {
-                // d X/d xi and d D/d xi; with the unit tensor out of plane
-                typedef Ten<double, 3> ten;
-                ten dX = ten::zero(), dD = ten::zero();
-                for (int c = E::dim; c < 3; ++c) dX(fe_.axis(c), c) = 1;
-                for (int i = 0; i < E::nNodes; ++i)
-                {
-                    const label n = block.element(e)[i];
-                    for (int a = 0; a < E::dim; ++a) for (int c = 0; c < E::dim; ++c)
-                    {
-                        const label k = fe_.axis(a);
-                        dX(k, c) += fe_.points()[n][k]*dN[i][c];
-                        dD(k, c) += D[n][k]*dN[i][c];
-                    }
-                }
-                const ten F = (dD & inv(dX)).addDiag(1);
-
-                // sigma = P F^T/J
-                ten P = law ? law->Piso(F) : material(b).P(F);
-                if (history.size()) P += F & viscousStress<E>(b, block.cells[e], history);
-                ten s = (1/det(F))*(P & F.t());
-                if (law) s.addDiag(-p[block.cells[e]]);
-                sigma[block.cells[e]] =
-                    symmTensor(s(0, 0), s(0, 1), s(0, 2), s(1, 1), s(1, 2), s(2, 2));
-            }
-        });
-    }
 }
 
 

@@ -17,12 +17,13 @@ static const List<solidElements>& table()
     typedef fieldLayout::support on;
     static const List<solidElements> all
     ({
-        {"linear", 1, false, false, on::VERTICES},
-        {"enhancedStrain", 1, true, false, on::VERTICES},
-        {"quadratic", 2, false, false, on::VERTICES},
-        {"Q1Q0", 1, false, true, on::CELLS},
-        {"equalOrder", 1, false, true, on::VERTICES},
-        {"taylorHood", 2, false, true, on::VERTICES},
+        {"linear", 1, false, false, false, on::VERTICES},
+        {"enhancedStrain", 1, true, false, false, on::VERTICES},
+        {"solidShell", 1, false, true, false, on::VERTICES},
+        {"quadratic", 2, false, false, false, on::VERTICES},
+        {"Q1Q0", 1, false, false, true, on::CELLS},
+        {"equalOrder", 1, false, false, true, on::VERTICES},
+        {"taylorHood", 2, false, false, true, on::VERTICES},
     });
     return all;
 }

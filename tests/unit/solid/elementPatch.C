@@ -7,6 +7,7 @@
 #include "elementPatch.H"
 #include "IFstream.H"
 #include "OSspecific.H"
+#include "shellLoop.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -100,6 +101,7 @@ Foam::elementPatch::elementPatch
     const labelList& nodes
 )
 :
+    material_(material),
     loop_(material.elementLoop()),
     dim_(dimension(shape)),
     X_(X),
@@ -121,6 +123,12 @@ Foam::elementPatch::elementPatch
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::elementPatch::beShell()
+{
+    loop_.reset(new shellLoop(material_));
+}
+
 
 Eigen::VectorXd Foam::elementPatch::toUnknowns(const vectorField& f) const
 {

@@ -8,6 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "elementPatch.H"
+#include "shellLoop.H"
 #include <gtest/gtest.h>
 
 using namespace Foam;
@@ -19,16 +20,18 @@ namespace
 const label nElements = packSize + 3;
 
 //- Call f(patch, name) for all elements, for those that have them also with
-//  enhanced strains
+//  enhanced strains, and for solid-shells
 template<class F>
 void forElements(const solidMaterial& law, const F& f)
 {
-    const auto test = [&](const auto E, const elementShape shape, const bool enhanced)
+    const auto test = [&](const auto E, const elementShape shape, const bool enhanced, const bool shell = false)
     {
         typedef typename std::decay<decltype(E)>::type element;
         elementPatch patch = elementPatch::distorted<element>(law, shape, nElements);
         patch.stage.enhanced = enhanced;
-        SCOPED_TRACE(std::string(element::name) + (enhanced ? " enhanced" : ""));
+        if (shell && !shellLoop::suits(law)) return;
+        if (shell) patch.beShell();
+        SCOPED_TRACE(std::string(element::name) + (enhanced ? " enhanced" : shell ? " shell" : ""));
         f(patch);
     };
     test(Tri1(), elementShape::TRI, false);
@@ -43,6 +46,7 @@ void forElements(const solidMaterial& law, const F& f)
     test(Pyramid1(), elementShape::PYRAMID, false);
     test(Quad1(), elementShape::QUAD, true);
     test(Hex1(), elementShape::HEX, true);
+    test(Hex1(), elementShape::HEX, false, true);
 }
 
 template<class F>
