@@ -162,6 +162,7 @@ Foam::tangentSolver::outcome Foam::tangentSolver::solveByAnderson
     }
     systemTimes::timer timer(times, systemTimes::SOLVE);
     b_ = -R;
+    y_.setSize(map_.nUnknowns());
     const outcome result = from(factors_->solve(b_, y_));
     constraints_.distribute(y_);
     anderson_.next(R, y_, rowScale, dx);
