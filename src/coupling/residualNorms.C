@@ -15,13 +15,25 @@ void Foam::residualNorms::findRoundOff(const feMatrix& K)
     scalarField size(blocks.size(), 0);
     forAll(blocks, b)
     {
-        const feRegion& region = regions_[blocks[b].region];
-        if (region.residualScale(blocks[b].field) > 0) continue;
-        size[b] = 10*std::numeric_limits<scalar>::epsilon()*region.unknownScale(blocks[b].field);
+        size[b] =
+            10*std::numeric_limits<scalar>::epsilon()
+           *regions_[blocks[b].region].unknownScale(blocks[b].field);
     }
-    forAll(roundOff_, u) roundOff_[u] = K.diagonal(u);
+
+    scalarField diagonal(roundOff_.size(), 0);
+    roundOff_ = 0;
+    forAll(roundOff_, u)
+    {
+        const label b = unknowns_.blockOf(u);
+        K.forRow(u, [&](const label v, const scalar entry)
+        {
+            if (v == u) diagonal[u] = entry;
+            else if (unknowns_.blockOf(v) != b) roundOff_[u] += mag(entry)*size[unknowns_.blockOf(v)];
+        });
+    }
+    unknowns_.map().sum(diagonal);
     unknowns_.map().sum(roundOff_);
-    forAll(roundOff_, u) roundOff_[u] = size[unknowns_.blockOf(u)]*mag(roundOff_[u]);
+    forAll(roundOff_, u) roundOff_[u] += size[unknowns_.blockOf(u)]*mag(diagonal[u]);
 }
 
 

@@ -443,14 +443,14 @@ Foam::scalar Foam::aleFluid::residualScale(const label field) const
 Foam::scalar Foam::aleFluid::unknownScale(const label field) const
 {
     scalar size = 0, pressure = 0;
+    for (const scalar p : q_.v) pressure = max(pressure, mag(p));
+    reduce(pressure, maxOp<scalar>());
+    if (field == PRESSURE) return pressure;
+
+    // Weight and pressure, which may balance, move the fluid by this if they do not
     const vectorField& vm = motion_.displacement().v;
     forAll(v_.v, n) size = max(size, max(mag(v_.v[n]), mag(vm[n])));
     reduce(size, maxOp<scalar>());
-    if (field == PRESSURE) return size;
-
-    // Weight and pressure, which may balance, move the fluid by this if they do not
-    for (const scalar p : q_.v) pressure = max(pressure, mag(p));
-    reduce(pressure, maxOp<scalar>());
     const scalar h = fe().meanSize(), force = k_.rho*mag(k_.g) + pressure/h;
     const feTimeScheme& ts = timeScheme();
     if (!ts.steady()) return size + force*ts.deltaT()/k_.rho;
