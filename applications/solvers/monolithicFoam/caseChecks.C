@@ -57,7 +57,7 @@ static void checkRange
 {
     if (value == 0 || (value >= low && value <= high)) return;
     IOWarningInFunction(dict)
-        << keyword << " is " << value << ", expected " << low << " to " << high
+        << keyword << " is " << fourDigits(value) << ", expected " << low << " to " << high
         << " in SI units: is it in others?" << endl;
 }
 
@@ -110,7 +110,7 @@ static scalar checkElements(const feRegion& region)
         WarningInFunction
             << "Region " << region.name() << ": the element of cell " << cell << " at "
             << region.mesh().cellCentres()[cell] << (least <= 0 ? " is inverted" : " is nearly inverted")
-            << " (scaled Jacobian " << least << ") before the first step. Mend the mesh there"
+            << " (scaled Jacobian " << fourDigits(least) << ") before the first step. Mend the mesh there"
             << " (feCheckMesh lists its worst elements)" << endl;
     }
     return size;
@@ -145,8 +145,8 @@ void checkCase(const coupledSystem& problem, const scalar deltaT)
         }
         if (!(fluid > 0 && solid > 0) || (solid < 1e5*fluid && fluid < 1e5*solid)) continue;
         WarningInFunction
-            << "Interface " << i.name() << ": the densities of fluid and solid are " << fluid << " and "
-            << solid << " kg/m3: are both in SI units?" << endl;
+            << "Interface " << i.name() << ": the densities of fluid and solid are " << fourDigits(fluid) << " and "
+            << fourDigits(solid) << " kg/m3: are both in SI units?" << endl;
     }
     Info<< nl;
 }
