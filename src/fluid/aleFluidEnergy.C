@@ -17,9 +17,17 @@ Foam::flowEnergy Foam::aleFluid::energy() const
     end.x = fe().points() + motion_.displacement().D;
     end.v = v_.v;
     end.p = endPressure();
-    const flowEnergy now(assembly_->energy(k_, end));
 
-    flowEnergy all(k_.tracked ? powers_ : assembly_->energy(k_, stage_));
+    // The powers of these values are of no use, and their tau must not be infinite
+    flowParameters k(k_);
+    k.transient = true;
+    k.tracked = false;
+    k.deltaT = 1;
+    const flowEnergy now(assembly_->energy(k, end));
+
+    // Before the first step there is no stage
+    flowEnergy all;
+    if (minDetJ_ < GREAT) all = k_.tracked ? powers_ : assembly_->energy(k_, stage_);
     all.kinetic = now.kinetic;
     all.compression = now.compression;
     return all;
