@@ -29,7 +29,8 @@ static Ten<scalar, 3> unitStrain(const int s)
 
 Foam::scalar Foam::shellKernel::sample::strain(const int i, const int j) const
 {
-    return (i == j ? 0.5 : 1)*((g[i] & g[j]) - (G[i] & G[j]));
+    // Not from g: thin elements would have the round-off of the positions
+    return (i == j ? 0.5 : 1)*((G[i] & h[j]) + (h[i] & G[j]) + (h[i] & h[j]));
 }
 
 
@@ -62,12 +63,13 @@ void Foam::shellKernel::place
     E::shape(xi, N, s.dN);
     for (int c = 0; c < 3; ++c)
     {
-        s.G[c] = s.g[c] = vec::zero();
+        s.G[c] = s.h[c] = vec::zero();
         for (int i = 0; i < nN; ++i)
         {
             s.G[c] += s.dN[i][c]*n.X[i];
-            s.g[c] += s.dN[i][c]*(n.X[i] + n.D[i]);
+            s.h[c] += s.dN[i][c]*n.D[i];
         }
+        s.g[c] = s.G[c] + s.h[c];
     }
 }
 
