@@ -92,17 +92,19 @@ void Foam::mortarWeights::addFace
     const label* nodes,
     const interfaceFit& fit,
     const Map<List<term>>& given,
-    DynamicList<contribution>& contributions
+    DynamicList<contribution>& contributions,
+    DynamicList<corner>& corners
 )
 {
     constexpr int n = F::nNodes;
-    bool isHeld[n], all = true;
+    bool isHeld[n], all = true, bare = false;
     for (int i = 0; i < n; ++i)
     {
         isHeld[i] = given.found(nodes[i]);
         all = all && isHeld[i];
+        bare = bare || fit.isBare(nodes[i]);
     }
-    if (all) return;
+    if (bare) return;
 
     const interfaceSurface& other = fit.partner();
     point X[n], centre = Zero;
@@ -134,6 +136,20 @@ void Foam::mortarWeights::addFace
             other.addTerms(p, at, N[i]*dA, Nu[i]);
         }
     });
+    if (all)
+    {
+        DynamicList<term> missing;
+        corner c;
+        for (int i = 0; i < n; ++i)
+        {
+            missing.append(Nu[i]);
+            for (const term& t : given[nodes[i]]) missing.append({t.node, -a[i]*t.weight});
+            if (i < F::nVertices) c.vertices.append(fit.region().fe().key()[nodes[i]]);
+        }
+        c.terms = summed(missing);
+        corners.append(c);
+        return;
+    }
     if (min(a) < 1e-3*area/n) a = area/n;
 
     // A u = b: int chi_i u_h = int chi_i u, and at held nodes u_h = u
@@ -165,6 +181,83 @@ void Foam::mortarWeights::addFace
             terms.append({t.node, a[i]*inverse(i, j)*t.weight});
         }
         contributions.append({nodes[i], a[i], summed(terms)});
+    }
+}
+
+
+Foam::List<Foam::mortarWeights::corner> Foam::mortarWeights::ofAllRanks(const UList<corner>& mine)
+{
+    DynamicList<label> labels;
+    DynamicList<scalar> weights;
+    for (const corner& c : mine)
+    {
+        labels.append(c.vertices.size());
+        labels.append(c.vertices);
+        labels.append(c.terms.size());
+        for (const term& t : c.terms)
+        {
+            labels.append(t.node);
+            weights.append(t.weight);
+        }
+    }
+    const labelList allLabels(gatherAll<label>(labels));
+    const scalarList allWeights(gatherAll<scalar>(weights));
+    DynamicList<corner> all;
+    for (label l = 0, w = 0; l < allLabels.size();)
+    {
+        corner c;
+        c.vertices = SubList<label>(allLabels, allLabels[l], l + 1);
+        l += 1 + c.vertices.size();
+        c.terms.setSize(allLabels[l++]);
+        for (term& t : c.terms) t = {allLabels[l++], allWeights[w++]};
+        all.append(c);
+    }
+    return all;
+}
+
+
+void Foam::mortarWeights::addCorners
+(
+    const interfaceFit& fit,
+    const Map<List<term>>& given,
+    const UList<corner>& mine,
+    DynamicList<contribution>& contributions
+)
+{
+    const List<corner> corners(ofAllRanks(mine));
+    if (corners.empty()) return;
+
+    // Faces with free nodes that have two vertices of a corner, on any rank
+    struct beside { label corner; labelList free; };
+    DynamicList<beside> faces;
+    labelList nFaces(corners.size(), 0);
+    const feMesh& fe = fit.region().fe();
+    for (const label patchi : fit.patches()) for (const elementBlock& block : fe.patchBlocks(patchi))
+    {
+        for (label f = 0; f < block.size(); ++f)
+        {
+            const SubList<label> nodes(block.nodes, block.nNodes, f*block.nNodes);
+            beside b;
+            for (const label n : nodes) if (!given.found(n)) b.free.append(n);
+            if (b.free.empty()) continue;
+            forAll(corners, c)
+            {
+                label nCommon = 0;
+                for (label i = 0; i < block.nVertices(); ++i) nCommon += corners[c].vertices.found(fe.key()[nodes[i]]);
+                if (nCommon != 2) continue;
+                b.corner = c;
+                faces.append(b);
+                ++nFaces[c];
+            }
+        }
+    }
+    Pstream::listCombineGather(nFaces, plusEqOp<label>());
+    Pstream::listCombineScatter(nFaces);
+    for (const beside& b : faces) for (const label n : b.free)
+    {
+        contribution c{n, 0, corners[b.corner].terms};
+        for (term& t : c.terms) t.weight /= nFaces[b.corner]*b.free.size();
+        contributions.append(c);
     }
 }
 
@@ -233,16 +326,18 @@ Foam::List<Foam::List<Foam::interfaceSurface::term>> Foam::mortarWeights::rows
     }
 
     DynamicList<contribution> mine;
+    DynamicList<corner> corners;
     for (const label patchi : fit.patches()) for (const elementBlock& block : fe.patchBlocks(patchi))
     {
         withFaceElement(block, [&](auto tag)
         {
             for (label f = 0; f < block.size(); ++f)
             {
-                addFace<decltype(tag)>(block.element(f), fit, given, mine);
+                addFace<decltype(tag)>(block.element(f), fit, given, mine, corners);
             }
         });
     }
+    addCorners(fit, given, corners, mine);
 
     List<DynamicList<term>> sums(nodes.size());
     scalarField a(nodes.size(), 0);
