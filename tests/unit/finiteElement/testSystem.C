@@ -328,7 +328,13 @@ TEST(feMatrix, isTheSumOfItsElements)
     s.fill(K);
     const matrix A = s.dense();
     EXPECT_LT((s.multiplied(K) - A).norm(), 1e-13*A.norm());
-    for (label u = 0; u < s.rows.nUnknowns(); ++u) EXPECT_NEAR(K.diagonal(u), A(u, u), 1e-13);
+    for (label u = 0; u < s.rows.nUnknowns(); ++u)
+    {
+        scalar sum = 0, expected = 0;
+        for (label v = 0; v < s.rows.nUnknowns(); ++v) expected += (v + 1)*A(u, v);
+        K.forRow(u, [&](const label v, const scalar entry) { sum += (v + 1)*entry; });
+        EXPECT_NEAR(sum, expected, 1e-10);
+    }
 
     // Times a vector
     const scalarField x(randomField(s.rows.nUnknowns(), 3));
