@@ -160,6 +160,13 @@ Foam::autoPtr<Foam::feInterface> Foam::feInterface::New
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::List<Foam::labelPair> Foam::feInterface::joined(const labelUList&, const labelUList&) const
+{
+    checkFree();
+    return List<labelPair>();
+}
+
+
 void Foam::feInterface::checkApart(const feInterface& other) const
 {
     const auto fail = [&](const feRegion& region, const string& what)

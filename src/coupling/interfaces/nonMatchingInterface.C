@@ -45,24 +45,13 @@ Foam::nonMatchingInterface::nonMatchingInterface
 )
 :
     fsiInterface(name, dict, regions),
-    tie_(*this, this->dict(), dict.lookupOrDefault<Switch>("snap", false))
+    tie_(*this, dict, dict.lookupOrDefault<Switch>("snap", false))
 {
     reportUnknownEntries(dict, {"type", "fluid", "solid", "tolerance", "weights", "unmatched", "snap"});
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::List<Foam::labelPair> Foam::nonMatchingInterface::joined
-(
-    const labelUList&,
-    const labelUList&
-) const
-{
-    checkFree();
-    return List<labelPair>();
-}
-
 
 void Foam::nonMatchingInterface::constrain(dofConstraints& c)
 {

@@ -189,23 +189,20 @@ void Foam::surfaceTie::constrain(dofConstraints& c) const
 }
 
 
-Foam::scalar Foam::surfaceTie::distance() const
-{
-    const interfaceSurface surface(interface_.leader(), interface_.leaderPatches(), present(interface_.leader()));
-    const vectorField x(present(interface_.follower()));
-    scalar largest = 0;
-    forAll(nodes_, i) if (isMatched(i)) largest = max(largest, surface.project(x[nodes_[i]]).distance);
-    return returnReduce(largest, maxOp<scalar>());
-}
-
-
-Foam::scalar Foam::surfaceTie::leakage() const
+Foam::interfaceGap Foam::surfaceTie::gap() const
 {
     const feRegion &follower = interface_.follower(), &leader = interface_.leader();
     const interfaceSurface surface(leader, interface_.leaderPatches(), present(leader));
     const vectorField x(present(follower));
     const interfaceFit fit(follower, interface_.followerPatches(), x, surface, tolerance_);
-    return fit.leakage(follower.motion().v, leader.motion().v);
+    interfaceGap gap;
+    forAll(nodes_, i)
+    {
+        if (isMatched(i)) gap.distance = max(gap.distance, surface.project(x[nodes_[i]]).distance);
+    }
+    reduce(gap.distance, maxOp<scalar>());
+    gap.leakage = fit.leakage(follower.motion().v, leader.motion().v);
+    return gap;
 }
 
 

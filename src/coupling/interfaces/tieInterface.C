@@ -46,7 +46,7 @@ Foam::tieInterface::tieInterface
 )
 :
     feInterface(name, dict, regions, "master", "slave"),
-    tie_(*this, this->dict()),
+    tie_(*this, dict),
     mesh_(follower().mesh().bounds().mag())
 {
     if (leader().leads() != follower().leads()) failRegions("two solids or two fluids");
@@ -56,17 +56,6 @@ Foam::tieInterface::tieInterface
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::List<Foam::labelPair> Foam::tieInterface::joined
-(
-    const labelUList&,
-    const labelUList&
-) const
-{
-    checkFree();
-    return List<labelPair>();
-}
-
 
 void Foam::tieInterface::constrain(dofConstraints& c)
 {

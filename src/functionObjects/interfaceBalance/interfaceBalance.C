@@ -105,18 +105,18 @@ bool Foam::functionObjects::interfaceBalance::write()
         const scalar Pf = r.fluidPower(i), Ps = r.solidPower(i);
         const scalar force = mag(Ff + Fs)/max(max(mag(Ff), mag(Fs)), VSMALL);
         const scalar power = mag(Pf + Ps)/max(max(mag(Pf), mag(Ps)), VSMALL);
-        const scalar distance = r.distance(i), leakage = r.leakage(i);
+        const interfaceGap gap = r.gap(i);
 
         Log << "    " << r.interfaceName(i) << ": force on fluid " << Ff
             << ", imbalance " << force << "; power " << Pf
-            << ", imbalance " << power << "; distance " << distance << ", leakage " << leakage << nl;
+            << ", imbalance " << power << "; distance " << gap.distance << ", leakage " << gap.leakage << nl;
         if (!writeToFile()) continue;
         writeRow
         (
             files_[i],
             {
                 Ff.x(), Ff.y(), Ff.z(), Fs.x(), Fs.y(), Fs.z(),
-                Pf, Ps, force, power, distance, leakage
+                Pf, Ps, force, power, gap.distance, gap.leakage
             }
         );
     }
