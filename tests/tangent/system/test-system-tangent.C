@@ -122,9 +122,6 @@ protected:
         start();
     }
 
-    //- What its steps take is the solution, not the state that is tested
-    bool isSlow() const { return std::string(GetParam().name) == "spaceTaylorHood"; }
-
     //- The case, of the variant and further options
     void make(const std::vector<const char*>& further)
     {
@@ -466,7 +463,6 @@ TEST_P(systemTangent, restoresItsState)
 //  without factors at its start and one with those of a step before
 TEST_P(systemTangent, repeatsAStep)
 {
-    if (isSlow()) GTEST_SKIP() << "as in the plane and with linear elements in space";
     for (const label index : {1, 2})
     {
         SCOPED_TRACE(index);
@@ -487,7 +483,6 @@ TEST_P(systemTangent, repeatsAStep)
 //- An attempt that was undone leaves no trace in shorter steps
 TEST_P(systemTangent, halvesAStep)
 {
-    if (isSlow()) GTEST_SKIP() << "as in the plane and with linear elements in space";
     const scalar deltaT = 0.1;
     step(deltaT/2);
     step(deltaT/2);
