@@ -25,8 +25,6 @@ namespace functionObjects
 namespace Foam
 {
 
-static const char* const workNames[] = {"viscous", "loads", "reactions"};
-
 static scalar storedEnergy(const solidIntegrals& s) { return s.kinetic + s.strain + s.weight; }
 
 } // End namespace Foam
@@ -42,30 +40,14 @@ const Foam::nonlinearSolid& Foam::functionObjects::feSolidEnergy::solid() const
 
 void Foam::functionObjects::feSolidEnergy::addWork()
 {
-    // Force is additive over the ranks, and what is left of a balance at its nodes
     FixedList<vectorField, nWorks> forces;
     forces[VISCOUS] = solid().viscousForces();
     forces[LOADS] = solid().loads();
     forces[REACTIONS] = solid().force();
-
-    const feTimeScheme& ts = solid().timeScheme();
-    const motionField& motion = static_cast<const feRegion&>(solid()).motion();
-    const scalar back = (ts.alphaF() - 0.5)*ts.deltaT()/ts.stageDeltaT();
-    for (label k = 0; k < nWorks; ++k)
-    {
-        // Together: some ranks may have no node
-        const bool first =
-            returnReduce(forces_[k].size() != forces[k].size(), orOp<bool>());
-        if (first) forces_[k] = ts.steady() ? vectorField(forces[k].size(), Zero) : forces[k];
-        scalar sum = 0;
-        forAll(forces[k], n)
-        {
-            sum += (forces[k][n] - back*(forces[k][n] - forces_[k][n])) & (motion.D[n] - motion.D0[n]);
-        }
-        work_[k] += returnReduce(sum, sumOp<scalar>());
-        forces_[k].transfer(forces[k]);
-        setProperty(workNames[k], work_[k]);
-    }
+    scalarField P(nWorks);
+    forAll(P, k) P[k] = gSum(powers_[k](solid(), forces[k]));
+    integral_.add(solid().timeScheme(), P);
+    integral_.keep(propertyDict());
     setProperty("start", start_);
 }
 
@@ -85,7 +67,7 @@ Foam::functionObjects::feSolidEnergy::feSolidEnergy
     read(dict);
     const solidIntegrals now(solid().integrals());
     start_ = getProperty<scalar>("start", storedEnergy(now));
-    for (label k = 0; k < nWorks; ++k) work_[k] = getProperty<scalar>(workNames[k], 0);
+    integral_.begin(propertyDict(), nWorks);
 
     writeHeader(file(), "Energies and work (J), momentum (N s) and its moment (N m s), in 2-D per metre of depth");
     writeHeaderValue(file(), "Mass", now.mass);
@@ -115,12 +97,12 @@ bool Foam::functionObjects::feSolidEnergy::execute()
 {
     addWork();
     const solidIntegrals s(solid().integrals());
-    const scalar balance =
-        storedEnergy(s) - start_ + work_[VISCOUS] - work_[LOADS] - work_[REACTIONS];
+    const scalarField& work = integral_.works();
+    const scalar balance = storedEnergy(s) - start_ + work[VISCOUS] - work[LOADS] - work[REACTIONS];
     const vector &p = s.momentum, &h = s.angularMomentum;
     row_ =
     {
-        s.kinetic, s.strain, s.weight, work_[VISCOUS], work_[LOADS], work_[REACTIONS], balance,
+        s.kinetic, s.strain, s.weight, work[VISCOUS], work[LOADS], work[REACTIONS], balance,
         p.x(), p.y(), p.z(), h.x(), h.y(), h.z()
     };
     setResult("kinetic", s.kinetic);
