@@ -7,6 +7,7 @@
 #include "coupledSystem.H"
 #include "meshFiles.H"
 #include "trapsOff.H"
+#include "checkMemory.H"
 #include "regionProperties.H"
 #include "unknownEntries.H"
 #include "subDictOrEmpty.H"
@@ -251,7 +252,14 @@ void Foam::coupledSystem::report() const
             << region.timeScheme().type() << nl;
     }
     Info<< "Unknowns: " << unknowns_->nFree() << " on " << Pstream::nProcs()
-        << " rank(s)" << nl << endl;
+        << " rank(s)" << nl;
+    const scalar memory = tangent_->solver().stats().memory;
+    if (memory > 0)
+    {
+        Info<< "Memory: the factors need about " << fourDigits(memory) << " MB, " << fourDigits(freeMemory())
+            << " MB are free on this machine" << nl;
+    }
+    Info<< endl;
 }
 
 

@@ -193,6 +193,7 @@ void Foam::MUMPSSolver::analyse(const feMatrixPattern& pattern)
     setWorkspace(mumps.info(8) < 0 ? -1e6*mumps.info(8) : mumps.info(8));
 
     statistics_ = statistics();
+    statistics_.memory = mumps.infog(17);
     statistics_.analysisTime = timer.elapsedTime();
 }
 

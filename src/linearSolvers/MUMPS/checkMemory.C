@@ -12,13 +12,9 @@
 #include "OSspecific.H"
 #include <fstream>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-namespace Foam
-{
-
-//- Memory that the machine can give without swapping, MB; GREAT where it does not tell
-static scalar freeMemory()
+Foam::scalar Foam::freeMemory()
 {
     std::ifstream file("/proc/meminfo");
     std::string word;
@@ -30,10 +26,6 @@ static scalar freeMemory()
     return GREAT;
 }
 
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 void Foam::checkMemory
 (
