@@ -26,6 +26,7 @@ Description
 #include "ListOps.H"
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 
 using namespace Foam;
@@ -97,6 +98,33 @@ const variant variants[] =
     },
 };
 
+//- Cases as fsiPatch makes them, once for all tests that want the same
+class patchCases
+{
+    std::map<std::string, std::string> made_;
+
+public:
+
+    ~patchCases() { for (const auto& c : made_) std::filesystem::remove_all(c.second); }
+
+    void copy(const std::string& options, const std::string& to)
+    {
+        std::string& from = made_[options];
+        if (from.empty())
+        {
+            from = to + ".made";
+            for (int n = 0; std::filesystem::exists(from); ++n) from = to + ".made" + std::to_string(n);
+            const std::string make = getEnv("MONOLITHICFOAM_DIR") + "/tests/resources/fsiPatch " + from + options;
+            if (std::system(make.c_str())) FatalErrorInFunction << make.c_str() << exit(FatalError);
+        }
+        std::filesystem::remove_all(to);
+        std::filesystem::copy
+        (
+            from, to, std::filesystem::copy_options::recursive | std::filesystem::copy_options::copy_symlinks
+        );
+    }
+};
+
 std::ostream& operator<<(std::ostream& os, const variant& v) { return os << v.name; }
 
 
@@ -125,14 +153,14 @@ protected:
     //- The case, of the variant and further options
     void make(const std::vector<const char*>& further)
     {
+        static patchCases cases;
         system.clear();
-        std::string make = getEnv("MONOLITHICFOAM_DIR") + "/tests/resources/fsiPatch " + dir_
-            + " ranks=" + std::to_string(Pstream::nProcs());
+        std::string all = " ranks=" + std::to_string(Pstream::nProcs());
         for (const auto& options : {GetParam().options, further}) for (const char* option : options)
         {
-            make += std::string(" '") + option + "'";
+            all += std::string(" '") + option + "'";
         }
-        if (std::system(make.c_str())) FatalErrorInFunction << make.c_str() << exit(FatalError);
+        cases.copy(all, dir_);
     }
 
     //- The case from its beginning
