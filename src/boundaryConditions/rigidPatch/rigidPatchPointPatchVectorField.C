@@ -146,15 +146,6 @@ Foam::wordList Foam::rigidPatchCondition::entries()
 }
 
 
-void Foam::rigidPatchCondition::check(const dimensionSet& dimensions, const dictionary& dict)
-{
-    if (dimensions == dimLength) return;
-    FatalIOErrorInFunction(dict)
-        << "Found rigidPatch in a field of dimensions " << dimensions
-        << ", expected a displacement, as pointD" << exit(FatalIOError);
-}
-
-
 void Foam::rigidPatchCondition::write(Ostream& os) const
 {
     for (const entry& e : dict_) os << e;

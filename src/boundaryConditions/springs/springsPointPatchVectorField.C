@@ -74,15 +74,6 @@ Foam::springsLoad::springsLoad(const dictionary& dict, const Time&)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::springsLoad::check(const dimensionSet& dimensions, const dictionary& dict)
-{
-    if (dimensions == dimLength) return;
-    FatalIOErrorInFunction(dict)
-        << "Found springs in a field of dimensions " << dimensions
-        << ", expected a displacement, as pointD" << exit(FatalIOError);
-}
-
-
 void Foam::springsLoad::write(Ostream& os) const
 {
     springs_.writeEntry("springs", os);

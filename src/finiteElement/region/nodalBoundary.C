@@ -319,7 +319,7 @@ void Foam::nodalBoundary::check
             << " nodalProfile, flowRateInlet, ...), slip, fixedNormalSlip, fixedComponents,"
             << " symmetry, symmetryPlane, wedge, cyclic, empty; for free boundaries"
             << " calculated, zeroGradient, and the loads openBoundary, traction,"
-            << " followerPressure, springs; in a solid rigidPatch" << exit(FatalError);
+            << " followerPressure, springs; in a solid rigidContact, rigidPatch" << exit(FatalError);
     }
 }
 

@@ -5,7 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "feForces.H"
-#include "processorPolyPatch.H"
+#include "nonlinearSolid.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -71,8 +71,11 @@ bool Foam::functionObjects::feForces::read(const dictionary& dict)
 bool Foam::functionObjects::feForces::execute()
 {
     const feMesh& fe = region().fe();
-    const vectorField& R = region().force();
     const vectorField x(positions());
+
+    // What supports do is no remainder of the balance
+    vectorField R(region().force());
+    if (const auto* solid = dynamic_cast<const nonlinearSolid*>(&region())) R += solid->supports(patches_);
 
     force_ = moment_ = Zero;
     for (const label n : nodes())

@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "feRigidPatch.H"
+#include "mathematicalConstants.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -19,6 +20,18 @@ namespace functionObjects
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::functionObjects::feRigidPatch::addTurns(vector& rotation) const
+{
+    // The axis of a rotation by nil, or by whole turns, is any
+    const scalar angle = mag(rotation), before = mag(rotation_);
+    const vector axis(angle > 1e-6 ? rotation/angle : before > 1e-6 ? rotation_/before : vector::zero);
+    const scalar turns = std::round(((rotation_ & axis) - angle)/constant::mathematical::twoPi);
+    rotation += (constant::mathematical::twoPi*turns)*axis;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::functionObjects::feRigidPatch::feRigidPatch
@@ -28,7 +41,8 @@ Foam::functionObjects::feRigidPatch::feRigidPatch
     const dictionary& dict
 )
 :
-    feFunctionObject(name, runTime, dict, "rigidPatch")
+    feFunctionObject(name, runTime, dict, "rigidPatch"),
+    rotation_(getProperty<vector>("rotation", Zero))
 {
     read(dict);
 
@@ -68,6 +82,9 @@ bool Foam::functionObjects::feRigidPatch::read(const dictionary& dict)
 bool Foam::functionObjects::feRigidPatch::execute()
 {
     for (const rigidMotion& m : region().rigidMotions()) if (m.patch == patch_) motion_ = m;
+    addTurns(motion_.rotation);
+    rotation_ = motion_.rotation;
+    setProperty("rotation", rotation_);
     setResult("displacement", motion_.displacement);
     setResult("rotation", motion_.rotation);
     setResult("force", motion_.force);

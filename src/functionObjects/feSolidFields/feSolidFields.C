@@ -156,6 +156,15 @@ void Foam::functionObjects::feSolidFields::compute()
 }
 
 
+void Foam::functionObjects::feSolidFields::computeAll()
+{
+    compute<scalar>();
+    compute<vector>();
+    compute<symmTensor>();
+    compute<tensor>();
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::functionObjects::feSolidFields::feSolidFields
@@ -200,16 +209,14 @@ bool Foam::functionObjects::feSolidFields::read(const dictionary& dict)
 
 bool Foam::functionObjects::feSolidFields::execute()
 {
-    compute<scalar>();
-    compute<vector>();
-    compute<symmTensor>();
-    compute<tensor>();
+    if (dict_.found("executeControl")) computeAll();
     return true;
 }
 
 
 bool Foam::functionObjects::feSolidFields::write()
 {
+    computeAll();
     forAllConstIters(made_, iter) (*iter)->write();
     return true;
 }

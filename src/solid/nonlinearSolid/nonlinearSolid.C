@@ -31,6 +31,34 @@ static IOobject outputField(const word& name, const fvMesh& mesh)
     );
 }
 
+//- An error where the motion D of a rigid patch is not what another patch gives at
+//  its nodes
+static void checkBodies
+(
+    const feMesh& fe,
+    const pointVectorField& pointD,
+    const nodalBoundary& boundary,
+    const vectorField& D,
+    const vectorField& given,
+    const scalar tolerance
+)
+{
+    forAll(pointD.boundaryField(), patchi)
+    {
+        const auto& pf = pointD.boundaryField()[patchi];
+        if (!dynamic_cast<const rigidSupport*>(&pf)) continue;
+        for (const label n : fe.patchNodes(patchi))
+        {
+            if (!boundary.constrained(n) || mag(D[n] - given[n]) < tolerance) continue;
+            FatalErrorInFunction
+                << "rigidPatch " << pf.patch().name() << " of region " << fe.mesh().name()
+                << " has a node at " << fe.points()[n] << " that it moves by " << D[n]
+                << " at time " << fe.mesh().time().timeName() << ", where patch " << boundary.patchName(n)
+                << " wants " << given[n] << exit(FatalError);
+        }
+    }
+}
+
 } // End namespace Foam
 
 
@@ -191,14 +219,19 @@ void Foam::nonlinearSolid::predict(const scalar time)
         forAll(D, n) if (D[n] != motion_.D[n]) motion_.setD(ts, n, D[n]);
     }
     bodies_->predict(ts, time, motion_);
+    if (!bodies_->size()) return;
+    D = motion_.D;
+    if (!boundary_->project(D, time)) return;
+    checkBodies(fe(), pointD_(), boundary_(), motion_.D, D, 1e-6*elementSize_);
 }
 
 
 void Foam::nonlinearSolid::addLoads(vectorField& force, feMatrix* K) const
 {
-    const solidLoads loads(unknowns());
-    loads.addSurface(pointD_(), stage_(), stageTime(), force, K);
-    loads.addSupports(pointD_(), stage_(), stageVelocity_, timeScheme().velocityByUnknown(), force, K);
+    const solidLoads loads(stageLoads());
+    const labelList patches(identity(pointD_->boundaryField().size()));
+    loads.addSurface(force, K);
+    loads.addSupports(patches, stageVelocity_, timeScheme().velocityByUnknown(), force, K);
     if (source) addVolumeLoad(fe(), fe().points(), source, stageTime(), force);
 }
 

@@ -6,7 +6,6 @@
 
 #include "solidLoads.H"
 #include "feValues.H"
-#include "surfaceSupport.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -48,7 +47,6 @@ void Foam::solidLoads::addTraction
 (
     const elementBlock& block,
     const surfaceLoad& load,
-    const scalar t,
     vectorField& force
 ) const
 {
@@ -63,7 +61,7 @@ void Foam::solidLoads::addTraction
         {
             face.reinit(X, q);
             const vector hdA =
-                load.traction(position(fe_, block, e, face.N), t)*::sqrt(face.ndA & face.ndA);
+                load.traction(position(fe_, block, e, face.N), time_)*::sqrt(face.ndA & face.ndA);
             for (int i = 0; i < F::nNodes; ++i) force[block.element(e)[i]] -= face.N[i]*hdA;
         }
     }
@@ -74,9 +72,7 @@ template<class F>
 void Foam::solidLoads::addPressure
 (
     const elementBlock& block,
-    const solidStage& stage,
     const surfaceLoad& load,
-    const scalar t,
     vectorField& force,
     feMatrix* K
 ) const
@@ -88,14 +84,14 @@ void Foam::solidLoads::addPressure
     for (label e = 0; e < block.size(); ++e)
     {
         const label* n = block.element(e);
-        gatherElement<dim>(fe_, block, e, stage.X, x);
-        gatherElement<dim>(fe_, block, e, stage.D, D);
+        gatherElement<dim>(fe_, block, e, stage_.X, x);
+        gatherElement<dim>(fe_, block, e, stage_.D, D);
         for (int i = 0; i < nN; ++i) x[i] += D[i];
 
         for (int q = 0; q < face.nQ; ++q)
         {
             face.reinit(x, q);
-            const scalar pressure = load.pressure(position(fe_, block, e, face.N), t);
+            const scalar pressure = load.pressure(position(fe_, block, e, face.N), time_);
             if (pressure == 0) continue;
             for (int i = 0; i < nN; ++i) for (int a = 0; a < dim; ++a)
             {
@@ -105,7 +101,7 @@ void Foam::solidLoads::addPressure
 
             for (int j = 0; j < nN; ++j) for (int b = 0; b < dim; ++b)
             {
-                const Vec<double, dim> dA = (pressure*stage.dDdu)*face.dArea(q, j, b);
+                const Vec<double, dim> dA = (pressure*stage_.dDdu)*face.dArea(q, j, b);
                 const label col = unknowns_.start(0, n[j]) + b;
                 for (int i = 0; i < nN; ++i) for (int a = 0; a < dim; ++a)
                 {
@@ -118,99 +114,134 @@ void Foam::solidLoads::addPressure
 
 
 template<class F>
-void Foam::solidLoads::addSprings
+void Foam::solidLoads::addSupport
 (
     const elementBlock& block,
-    const vectorField& s,
-    const symmTensor& dsdu,
+    const surfaceSupport& support,
+    const vectorField& velocity,
+    const scalar dvdu,
     vectorField& force,
     feMatrix* K
 ) const
 {
+    atPoints<F>(block, support, velocity, [&](const auto& face, const label* n, const scalar dA, const auto& s)
+    {
+        for (int i = 0; i < F::nNodes; ++i) force[n[i]] -= (face.N[i]*dA)*s.traction;
+        if (!K) return;
+
+        const symmTensor dsdu(s.stiffness*stage_.dDdu + s.damping*dvdu);
+        for (int i = 0; i < F::nNodes; ++i) for (int j = 0; j < F::nNodes; ++j)
+        {
+            const tensor k((face.N[i]*face.N[j]*dA)*dsdu);
+            const label row = unknowns_.start(0, n[i]), col = unknowns_.start(0, n[j]);
+            for (int a = 0; a < face.dim; ++a) for (int b = 0; b < face.dim; ++b)
+            {
+                K->add(row + a, col + b, k(fe_.axis(a), fe_.axis(b)));
+            }
+        }
+    });
+}
+
+
+template<class F, class Function>
+void Foam::solidLoads::atPoints
+(
+    const elementBlock& block,
+    const surfaceSupport& support,
+    const vectorField& velocity,
+    const Function& f
+) const
+{
     faceValues<double, F> face;
-    constexpr int dim = F::dim + 1, nN = F::nNodes;
-    Vec<double, dim> X[nN];
+    Vec<double, F::dim + 1> X[F::nNodes];
 
     for (label e = 0; e < block.size(); ++e)
     {
         const label* n = block.element(e);
-        gatherElement<dim>(fe_, block, e, fe_.points(), X);
+        gatherElement<F::dim + 1>(fe_, block, e, fe_.points(), X);
         for (int q = 0; q < face.nQ; ++q)
         {
             face.reinit(X, q);
-            const scalar dA = ::sqrt(face.ndA & face.ndA);
-            vector sq = Zero;
-            for (int i = 0; i < nN; ++i) sq += face.N[i]*s[n[i]];
-            for (int i = 0; i < nN; ++i) force[n[i]] += (face.N[i]*dA)*sq;
-            if (!K) continue;
-
-            for (int i = 0; i < nN; ++i) for (int j = 0; j < nN; ++j)
+            vector D = Zero, v = Zero;
+            for (int i = 0; i < F::nNodes; ++i)
             {
-                const symmTensor k((face.N[i]*face.N[j]*dA)*dsdu);
-                const label row = unknowns_.start(0, n[i]), col = unknowns_.start(0, n[j]);
-                for (int a = 0; a < dim; ++a) for (int b = 0; b < dim; ++b)
-                {
-                    K->add(row + a, col + b, tensor(k)(fe_.axis(a), fe_.axis(b)));
-                }
+                D += face.N[i]*stage_.D[n[i]];
+                v += face.N[i]*velocity[n[i]];
             }
+            const point at(position(fe_, block, e, face.N));
+            f(face, n, ::sqrt(face.ndA & face.ndA), support.at(at, D, v, time_));
         }
     }
 }
 
 
-template<class Condition, class F>
-void Foam::solidLoads::forFaces(const pointVectorField& pointD, const F& f) const
+template<class Condition, class Function>
+void Foam::solidLoads::forFaces(const label patchi, const Function& f) const
 {
-    forAll(pointD.boundaryField(), patchi)
+    const auto* condition = dynamic_cast<const Condition*>(&pointD_.boundaryField()[patchi]);
+    if (!condition) return;
+    for (const elementBlock& block : fe_.patchBlocks(patchi))
     {
-        const auto* condition = dynamic_cast<const Condition*>(&pointD.boundaryField()[patchi]);
-        if (!condition) continue;
-        for (const elementBlock& block : fe_.patchBlocks(patchi))
+        withFaceElement(block, [&](auto face)
         {
-            withFaceElement(block, [&](auto face)
-            {
-                if (face.dim + 1 == fe_.dim()) f(*condition, block, face);
-            });
-        }
+            if (face.dim + 1 == fe_.dim()) f(*condition, block, face);
+        });
     }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::solidLoads::addSurface
-(
-    const pointVectorField& pointD,
-    const solidStage& stage,
-    const scalar t,
-    vectorField& force,
-    feMatrix* K
-) const
+void Foam::solidLoads::addSurface(vectorField& force, feMatrix* K) const
 {
-    forFaces<surfaceLoad>(pointD, [&](const surfaceLoad& load, const elementBlock& block, auto face)
+    forAll(pointD_.boundaryField(), patchi)
     {
-        addTraction<decltype(face)>(block, load, t, force);
-        addPressure<decltype(face)>(block, stage, load, t, force, K);
-    });
+        forFaces<surfaceLoad>(patchi, [&](const surfaceLoad& load, const elementBlock& block, auto face)
+        {
+            addTraction<decltype(face)>(block, load, force);
+            addPressure<decltype(face)>(block, load, force, K);
+        });
+    }
 }
 
 
 void Foam::solidLoads::addSupports
 (
-    const pointVectorField& pointD,
-    const solidStage& stage,
+    const labelUList& patches,
     const vectorField& v,
     const scalar dvdu,
     vectorField& force,
     feMatrix* K
 ) const
 {
-    forFaces<surfaceSupport>(pointD, [&](const surfaceSupport& support, const elementBlock& block, auto face)
+    for (const label patchi : patches)
     {
-        const symmTensor &k = support.stiffness(), &c = support.damping();
-        const vectorField s((k & stage.D) + (c & v));
-        addSprings<decltype(face)>(block, s, symmTensor(k*stage.dDdu + c*dvdu), force, K);
+        forFaces<surfaceSupport>(patchi, [&](const surfaceSupport& support, const elementBlock& block, auto face)
+        {
+            addSupport<decltype(face)>(block, support, v, dvdu, force, K);
+        });
+    }
+}
+
+
+Foam::supportTotals Foam::solidLoads::supportOf(const label patchi, const vectorField& v) const
+{
+    supportTotals sum;
+    forFaces<surfaceSupport>(patchi, [&](const surfaceSupport& support, const elementBlock& block, auto tag)
+    {
+        atPoints<decltype(tag)>
+        (
+            block, support, v,
+            [&](const auto&, const label*, const scalar dA, const surfaceSupport::reaction& s)
+            {
+                sum.force += s.traction*dA;
+                sum.area += (mag(s.traction) > 0)*dA;
+                sum.traction = max(sum.traction, mag(s.traction));
+                sum.gap = min(sum.gap, s.gap);
+            }
+        );
     });
+    return sum;
 }
 
 

@@ -54,6 +54,26 @@ Foam::tmp<Foam::vectorField> Foam::nonlinearSolid::viscousForces() const
 }
 
 
+Foam::tmp<Foam::vectorField> Foam::nonlinearSolid::supports(const labelUList& patches) const
+{
+    tmp<vectorField> tforce(new vectorField(fe().nNodes(), Zero));
+    stageLoads().addSupports(patches, stageVelocity_, 0, tforce.ref(), nullptr);
+    tforce.ref() *= -1;
+    return tforce;
+}
+
+
+Foam::supportTotals Foam::nonlinearSolid::supportOf(const label patchi) const
+{
+    supportTotals sum(stageLoads().supportOf(patchi, stageVelocity_));
+    reduce(sum.force, sumOp<vector>());
+    reduce(sum.area, sumOp<scalar>());
+    reduce(sum.traction, maxOp<scalar>());
+    reduce(sum.gap, minOp<scalar>());
+    return sum;
+}
+
+
 Foam::solidIntegrals Foam::nonlinearSolid::integrals() const
 {
     autoPtr<solidIntegrals> all;

@@ -11,6 +11,7 @@ Description
 #include "rotation.H"
 #include "gatherAll.H"
 #include "boundBox.H"
+#include "cyclicPolyPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -64,6 +65,16 @@ void Foam::rigidBodies::checkNodes
             << " has a node at " << fe_.points()[n] << " that is also on " << what.c_str()
             << exit(FatalError);
     };
+    for (const polyPatch& p : fe_.mesh().boundaryMesh())
+    {
+        const auto* cyclic = isA<cyclicPolyPatch>(p);
+        if (!cyclic || cyclic->parallel()) continue;
+        const labelHashSet turned(fe_.patchNodes(p.index()));
+        for (const label n : b.nodes) if (turned.found(n))
+        {
+            fail(n, "patch " + p.name() + ", a cyclic one that turns: the body needs all the way round");
+        }
+    }
     for (const label n : b.nodes)
     {
         if (boundary.hasValue(n)) fail(n, "patch " + boundary.patchName(n) + ", where all is given");

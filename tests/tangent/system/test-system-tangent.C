@@ -74,7 +74,13 @@ const variant variants[] =
             "material=type isochoricNeoHookean; rho 2; mu 12; bulkModulus 500;"
         }
     },
-    {"space", {"time=type generalisedAlpha; rhoInf 0.5;", "fluid=equalOrder", "solid=linear", "dim=3"}},
+    {
+        "space",
+        {
+            "time=type generalisedAlpha; rhoInf 0.5;", "fluid=equalOrder", "solid=linear", "dim=3",
+            "root=type rigidContact; penalty 200; surface { type sphere; centre (0.5 -3.3 0.25); radius 3; }"
+        }
+    },
     {"spaceTaylorHood", {"time=type Newmark;", "dim=3"}},
     {
         "rigidRoot",
