@@ -101,7 +101,7 @@ TEST(rigidContact, hasItsTangent)
         for (scalar& s : dx) s = random.GaussNormal<scalar>();
         c.update(x);
         c.residual();
-        EXPECT_GT(foot(c).area, 0.1);
+        EXPECT_GT(foot(c).area, 0.05);
         EXPECT_LT(c.tangentError(dx), 1e-6);
     }
 }
