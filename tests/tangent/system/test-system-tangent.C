@@ -78,7 +78,7 @@ const variant variants[] =
         "space",
         {
             "time=type generalisedAlpha; rhoInf 0.5;", "fluid=equalOrder", "solid=linear", "dim=3",
-            "root=type rigidContact; penalty 200; surface { type sphere; centre (0.5 -3.3 0.25); radius 3; }"
+            "root=type rigidContact; penalty 10; surface { type sphere; centre (0.5 -3.3 0.25); radius 3; }"
         }
     },
     {"spaceTaylorHood", {"time=type Newmark;", "dim=3"}},
