@@ -43,16 +43,16 @@ static void reportControls(const Time& runTime)
 }
 
 
-static bool consistentRates(const dictionary& solution)
+//- An entry is the second of two words, of which the first is the default
+static bool isSecond(const dictionary& solution, const word& keyword, const wordList& valid)
 {
-    const wordList valid({"nil", "consistent"});
-    const word rates(solution.lookupOrDefault<word>("initialRates", valid[0]));
-    if (!valid.found(rates))
+    const word found(solution.lookupOrDefault<word>(keyword, valid[0]));
+    if (!valid.found(found))
     {
         FatalIOErrorInFunction(solution)
-            << "Unknown initialRates " << rates << ". Valid: " << valid << exit(FatalIOError);
+            << "Unknown " << keyword << ' ' << found << ". Valid: " << valid << exit(FatalIOError);
     }
-    return rates == valid[1];
+    return found == valid[1];
 }
 
 } // End namespace Foam
@@ -198,16 +198,28 @@ Foam::coupledSystem::coupledSystem(Time& runTime)
     failedNorm_(-1)
 {
     trapsOff::inThreads();
-    reportUnknownEntries(solution_, {"newton", "linearSolver", "timeStepControl", "initialRates", "staticStage"});
+    reportUnknownEntries
+    (
+        solution_,
+        {"newton", "linearSolver", "timeStepControl", "initialRates", "initialVelocities", "staticStage"}
+    );
     reportControls(runTime);
     readRegions();
     readInterfaces();
-    const bool consistent = consistentRates(solution_);
+    const bool consistent = isSecond(solution_, "initialRates", {"nil", "consistent"});
+    const bool projected = isSecond(solution_, "initialVelocities", {"given", "projected"});
     if (readState()) return;
     makeSystem();
     followAtStart();
     for (feInterface& i : interfaces_) i.setFollowed();
     staticStage_.select(regions_, runTime_.value());
+    if (projected && !project())
+    {
+        FatalIOErrorInFunction(solution_)
+            << "initialVelocities projected: none were found that obey continuity and what is given at"
+            << " boundaries. " << outcome().c_str() << nl << placeOfFailure().c_str() << exit(FatalIOError);
+    }
+    times_ = systemTimes();   // of the steps to come
     if (consistent) startConsistently();
 }
 

@@ -10,6 +10,7 @@ Description
 #include "coupledSystem.H"
 #include "trapsOff.H"
 #include "clockValue.H"
+#include "failureAdvice.H"
 #include "fourDigits.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -279,6 +280,11 @@ Foam::string Foam::coupledSystem::placeOfFailure() const
         label block;
         os  << "The residual is worst at "
             << unknowns_->describe(norms_->worst(R_), block).c_str() << nl;
+    }
+    for (const feRegion& region : regions_)
+    {
+        const auto* advice = dynamic_cast<const failureAdvice*>(&region);
+        if (advice) os << advice->adviceOnFailure().c_str();
     }
     return os.str();
 }

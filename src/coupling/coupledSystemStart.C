@@ -4,9 +4,15 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 
 Description
-    Rates at the start of a run that the equations have there:
+    Velocities and rates at the start of a run that the equations have there:
 
-        feSolution      initialRates consistent;     // or nil, the default
+        feSolution      initialVelocities projected;    // or given, the default
+                        initialRates consistent;        // or nil, the default
+
+    Velocities are projected onto what is given at boundaries and the equation of
+    continuity: those nearest to the fields as they are, in the mean square with the
+    density. From rest it is the potential flow, with its boundary layers within an
+    element, which a steady run may begin with and an impulsive start has.
 
     The accelerations of fluid and solid and the pressure are those of one very
     short step of Euler's from the given velocities and displacements, under

@@ -346,7 +346,7 @@ Foam::aleFluid::aleFluid(fvMesh& mesh, const dictionary& linearSolver)
     k_.family = familyNames.get("elements", schemes_);
     k_.g = g_.value();
     readTransport();
-    readTurbulence(mesh, k_);
+    filter_ = readTurbulence(mesh, k_);
     flowStabilisation::New(schemes_, k_.family)->set(k_);
     makeOutput();
     nodalBoundary::check(pointP_());
@@ -376,6 +376,7 @@ void Foam::aleFluid::constrain(dofConstraints& c) const
 void Foam::aleFluid::predict(const scalar time)
 {
     const feTimeScheme& ts = timeScheme();
+    if (filter_.valid()) filter_->update(fe(), v_.v, k_.mu/k_.rho);
     v_.predict(ts);
     incompressible() ? q_.predictStage(ts) : q_.predict(ts);
 
@@ -493,11 +494,7 @@ Foam::tmp<Foam::scalarField> Foam::aleFluid::endPressure() const
 
 void Foam::aleFluid::advance()
 {
-    if (k_.tracked)
-    {
-        powers_ = assembly_->energy(k_, stage_);
-        assembly_->subscales(k_, stage_, subscales_.now);
-    }
+    if (k_.tracked) assembly_->subscales(k_, stage_, subscales_.now);
     motion_.movePoints();
 }
 

@@ -31,6 +31,7 @@ void Foam::aleFluid::stage()
     k_.dvmdm = ts.steady() ? 0 : ts.velocityByUnknown()/ts.displacementByUnknown();
     k_.deltaT = ts.steady() ? GREAT : ts.deltaT();
     stage_.s = k_.tracked ? &subscales_.old : nullptr;
+    stage_.widest2 = filter_.valid() ? &filter_->widest2() : nullptr;
 }
 
 
@@ -58,7 +59,11 @@ void Foam::aleFluid::assemble(scalarField& R, feMatrix* K)
     }
     minDetJ_ = assembly_->assemble(k_, stage_, force_, continuity_, K ? &to : nullptr);
 
-    loads_->addSurface({k_.rho, ts.alphaF(), stageTime(), stage_, unknowns(), force_, K});
+    loads_->addSurface
+    ({
+        k_.rho, ts.alphaF(), stageTime(), stage_, unknowns(), force_, K, K ? S : nullptr, motion_.position(),
+        k_.dvmdm
+    });
     if (source) addVolumeLoad(fe(), stage_.x, source, stageTime(), force_);
 
     unknowns().add(VELOCITY, force_, R);

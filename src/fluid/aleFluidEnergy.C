@@ -27,7 +27,7 @@ Foam::flowEnergy Foam::aleFluid::energy() const
 
     // Before the first step there is no stage
     flowEnergy all;
-    if (minDetJ_ < GREAT) all = k_.tracked ? powers_ : assembly_->energy(k_, stage_);
+    if (minDetJ_ < GREAT) all = assembly_->energy(k_, stage_);
     all.kinetic = now.kinetic;
     all.compression = now.compression;
     return all;
@@ -54,7 +54,7 @@ Foam::scalarField Foam::aleFluid::boundaryPowers() const
         vectorField load(fe().nNodes(), Zero);
         const flowLoads::job job
         {
-            k_.rho, timeScheme().alphaF(), stageTime(), stage_, unknowns(), load, nullptr
+            k_.rho, timeScheme().alphaF(), stageTime(), stage_, unknowns(), load, nullptr, nullptr, nullptr, 0
         };
         if (!loads_->addPatch(patchi, job)) continue;
         for (const label n : fe().patchNodes(patchi)) power[patchi] -= load[n] & stage_.v[n];

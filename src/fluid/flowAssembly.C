@@ -5,7 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "flowAssembly.H"
-#include "flowKernel.H"
+#include "eddyViscosity.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -68,6 +68,7 @@ void Foam::flowAssembly::eddyViscosity
         flowConstants<dim> k;
         k.eddy = p.eddy;
         k.C2 = sqr(p.eddyConstant);
+        k.damped = p.damped;
         feValues<double, V> w;
         Foam::eddyViscosity<double, V> eddy;
         Vec<double, dim> x[V::nNodes], v[V::nNodes];
@@ -78,11 +79,12 @@ void Foam::flowAssembly::eddyViscosity
                 x[i][a] = fields.x[block.element(e)[i]][fe_.axis(a)];
                 v[i][a] = fields.v[block.element(e)[i]][fe_.axis(a)];
             }
+            const double widest2 = fields.widest2 ? (*fields.widest2)[block.cells[e]] : 0;
             double sum = 0, volume = 0;
             for (int q = 0; q < w.nQ; ++q)
             {
                 w.reinit(x, q);
-                eddy.reinit(k, w.grad(v), w.detJ);
+                eddy.reinit(k, w.grad(v), w.detJ, widest2);
                 sum += eddy.nut*w.dV;
                 volume += w.dV;
             }

@@ -30,6 +30,41 @@ void Foam::flowLoads::readPressures()
 }
 
 
+template<int dim>
+struct Foam::flowLoads::openLoad
+{
+    typedef Vec<double, dim> vec;
+    typedef Ten<double, dim> ten;
+
+    //- n is n dA; beta times the density; in: density where p is total and c.n < 0
+    const vec t, n, u, c;
+    const double p, beta, Z, total;
+    const double dA = ::sqrt(n & n), out = c & n, cn = min(out, 0.0), in = cn < 0 ? total : 0;
+    const double normal = p - 0.5*in*(u & u) + Z*out/dA;
+
+    //- h = t - (p - in |v|^2/2 + Z c.n) n + beta rho min(c.n, 0) v
+    vec h() const { return dA*t - normal*n + (beta*cn)*u; }
+
+    bool hasVelocity() const { return cn < 0 || Z > 0; }
+
+    ten byVelocity() const
+    {
+        ten dh = in*(n*u) + (-Z/dA)*(n*n);
+        if (cn < 0) dh += beta*(cn*ten::I() + u*n);
+        return dh;
+    }
+
+    //- By a change dn of n dA and one of c that is the mesh's
+    vec byGeometry(const vec& dn, const vec& dc) const
+    {
+        const double dOut = (dc & n) + (c & dn), ddA = (n & dn)/dA;
+        vec dh = ddA*t - normal*dn - (Z*(dOut - out*ddA/dA)/dA)*n;
+        if (cn < 0) dh += (beta*dOut)*u;
+        return dh;
+    }
+};
+
+
 template<class F, class Traction, class Pressure>
 void Foam::flowLoads::addOpen
 (
@@ -40,12 +75,6 @@ void Foam::flowLoads::addOpen
     const job& j
 ) const
 {
-    const scalar rho = j.rho, columns = j.columns;
-    const flowFields& stage = j.stage;
-    const fieldUnknowns& unknowns = j.unknowns;
-    vectorField& force = j.force;
-    feMatrix* K = j.K;
-    const scalar total = answer.total ? rho : 0, beta = answer.backflow*rho, Z = answer.impedance;
     constexpr int dim = F::dim + 1;
     typedef Vec<double, dim> vec;
     faceValues<double, F> face;
@@ -55,6 +84,11 @@ void Foam::flowLoads::addOpen
         vec v;
         for (int a = 0; a < dim; ++a) v[a] = u[fe_.axis(a)];
         return v;
+    };
+    const auto add = [&](feMatrix& K, const fieldUnknowns& columns, const label row, const label col, const auto& dh)
+    {
+        const label r = j.unknowns.start(0, row), c = columns.start(0, col);
+        for (int a = 0; a < dim; ++a) for (int b = 0; b < dim; ++b) K.add(r + a, c + b, -j.columns*dh(a, b));
     };
 
     for (label e = 0; e < block.size(); ++e)
@@ -69,36 +103,43 @@ void Foam::flowLoads::addOpen
         };
         for (int i = 0; i < F::nNodes; ++i)
         {
-            x[i] = inPlane(stage.x[nodes[i]]);
-            v[i] = inPlane(stage.v[nodes[i]]);
-            c[i] = v[i] - inPlane(stage.vm[nodes[i]]);
+            x[i] = inPlane(j.stage.x[nodes[i]]);
+            v[i] = inPlane(j.stage.v[nodes[i]]);
+            c[i] = v[i] - inPlane(j.stage.vm[nodes[i]]);
         }
         for (int q = 0; q < face.nQ; ++q)
         {
             face.reinit(x, q);
-            const vec& n = face.ndA;
-            const vec u = face.value(v);
-            const scalar dA = ::sqrt(n & n), out = face.value(c) & n, cn = min(out, 0.0);
-            const scalar in = cn < 0 ? total : 0;
-
-            // h = t - (p - in |v|^2/2) n + beta rho min(c.n, 0) v - Z (c.n) n
-            const vec h =
-                dA*inPlane(traction(at)) - (pressure(at) - 0.5*in*(u & u) + Z*out/dA)*n + (beta*cn)*u;
-            for (int i = 0; i < F::nNodes; ++i)
+            const openLoad<dim> load
             {
-                for (int a = 0; a < dim; ++a) force[nodes[i]][fe_.axis(a)] -= face.N[i]*h[a];
+                inPlane(traction(at)), face.ndA, face.value(v), face.value(c), pressure(at),
+                answer.backflow*j.rho, answer.impedance, answer.total ? j.rho : 0
+            };
+            const vec h = load.h();
+            for (int i = 0; i < F::nNodes; ++i) for (int a = 0; a < dim; ++a)
+            {
+                j.force[nodes[i]][fe_.axis(a)] -= face.N[i]*h[a];
             }
-            if (!K || (cn == 0 && Z == 0)) continue;
-
-            Ten<double, dim> dh = in*(n*u) + (-Z/dA)*(n*n);
-            if (cn < 0) dh = dh + beta*(cn*Ten<double, dim>::I() + u*n);
-            for (int i = 0; i < F::nNodes; ++i) for (int j = 0; j < F::nNodes; ++j)
+            if (j.K && load.hasVelocity())
             {
-                const label row = unknowns.start(0, nodes[i]), col = unknowns.start(0, nodes[j]);
-                for (int a = 0; a < dim; ++a) for (int b = 0; b < dim; ++b)
+                const Ten<double, dim> dh = load.byVelocity();
+                for (int i = 0; i < F::nNodes; ++i) for (int l = 0; l < F::nNodes; ++l)
                 {
-                    K->add(row + a, col + b, -columns*face.N[i]*face.N[j]*dh(a, b));
+                    add(*j.K, j.unknowns, nodes[i], nodes[l], face.N[i]*face.N[l]*dh);
                 }
+            }
+            if (!j.S) continue;
+            for (int l = 0; l < F::nNodes; ++l)
+            {
+                Ten<double, dim> dh;
+                for (int b = 0; b < dim; ++b)
+                {
+                    vec dc = vec::zero();
+                    dc[b] = -j.dvmdm*face.N[l];
+                    const vec column = load.byGeometry(face.dArea(q, l, b), dc);
+                    for (int a = 0; a < dim; ++a) dh(a, b) = column[a];
+                }
+                for (int i = 0; i < F::nNodes; ++i) add(*j.S, *j.positions, nodes[i], nodes[l], face.N[i]*dh);
             }
         }
     }

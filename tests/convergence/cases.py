@@ -177,7 +177,7 @@ def writeCase(directory, region, kind, n, elements, timeScheme='type steady;', s
         deltaT=1, endTime=1, material='StVenantKirchhoff', distort=True, flow=None):
     """A case of the region fluid or solid alone; flow: further entries of a fluid's
     feSchemes, transportProperties, turbulenceProperties and initialConditions by these
-    names, and moves, by which its left side moves as a sine of time"""
+    names, and moves, by which its left side moves"""
 
     flow = flow or {}
 
@@ -226,14 +226,13 @@ writeControl timeStep; writeInterval 1000000; timePrecision 12;''' % (
 
 
 def writeMotion(directory, moves, dim):
-    """The left side of a fluid moves by moves sin(2 pi t), the others rest"""
+    """The left side of a fluid moves, the others rest"""
 
     writeFile(directory, 'constant/fluid/dynamicMeshDict',
         'motionSolver feLaplacian; feLaplacianCoeffs { stiffness uniform; }')
     writeFile(directory, '0/fluid/pointDisplacement', field('pointDisplacement', '0 1 0 0 0 0 0', {
         'default': 'type fixedValue; value uniform (0 0 0);',
-        'left': 'type uniformFixedValue; uniformValue sine; uniformValueCoeffs'
-            ' { frequency 1; amplitude 1; scale %s; level (0 0 0); } value uniform (0 0 0);' % moves},
+        'left': 'type manufactured; moves %s; value uniform (0 0 0);' % moves},
         dim), 'pointVectorField')
 
 

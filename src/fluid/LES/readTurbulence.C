@@ -55,12 +55,31 @@ static scalar eddyConstant(const dictionary& les, const eddyModel model)
     return ::sqrt(Ck*::sqrt(Ck/Ce));
 }
 
+
+//- The width of the filter is damped at walls, or that of the elements
+static bool isDamped(const dictionary& les)
+{
+    const auto read = [](const dictionary& dict, const wordList& valid)
+    {
+        const word delta(dict.lookupOrDefault<word>("delta", "cubeRootVol"));
+        if (!valid.found(delta))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown delta " << delta << ". Valid: " << valid << exit(FatalIOError);
+        }
+        return delta;
+    };
+    if (read(les, {"cubeRootVol", "vanDriest"}) == "cubeRootVol") return false;
+    read(subDictOrEmpty(les, "vanDriestCoeffs"), {"cubeRootVol"});
+    return true;
+}
+
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-void Foam::readTurbulence(const fvMesh& mesh, flowParameters& k)
+Foam::autoPtr<Foam::vanDriestWidth> Foam::readTurbulence(const fvMesh& mesh, flowParameters& k)
 {
     const IOdictionary dict
     (
@@ -70,10 +89,10 @@ void Foam::readTurbulence(const fvMesh& mesh, flowParameters& k)
             IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
         )
     );
-    if (dict.empty()) return;
+    if (dict.empty()) return nullptr;
     reportUnknownEntries(dict, {"simulationType", "LES", "RAS", "laminar"});
     const word type(dict.get<word>("simulationType"));
-    if (type == "laminar") return;
+    if (type == "laminar") return nullptr;
     if (type != "LES")
     {
         FatalIOErrorInFunction(dict)
@@ -88,24 +107,24 @@ void Foam::readTurbulence(const fvMesh& mesh, flowParameters& k)
     (
         les,
         {
-            "LESModel", "turbulence", "printCoeffs", "delta", "cubeRootVolCoeffs",
+            "LESModel", "turbulence", "printCoeffs", "delta", "cubeRootVolCoeffs", "vanDriestCoeffs", "kappa",
             word(eddyModelNames[model] + "Coeffs")
         }
     );
-    const word delta(les.lookupOrDefault<word>("delta", "cubeRootVol"));
-    if (delta != "cubeRootVol")
-    {
-        FatalIOErrorInFunction(les)
-            << "Unknown delta " << delta << ". Valid: 1(cubeRootVol)" << exit(FatalIOError);
-    }
-    if (!les.lookupOrDefault<Switch>("turbulence", true)) return;
-    const dictionary deltaCoeffs(subDictOrEmpty(les, "cubeRootVolCoeffs"));
+    const bool damped = isDamped(les);
+    if (!les.lookupOrDefault<Switch>("turbulence", true)) return nullptr;
+    const dictionary deltaCoeffs
+    (
+        subDictOrEmpty(damped ? subDictOrEmpty(les, "vanDriestCoeffs") : les, "cubeRootVolCoeffs")
+    );
     reportUnknownEntries(deltaCoeffs, {"deltaCoeff"});
 
     k.eddy = model;
     k.eddyConstant = eddyConstant(les, model)*constant(deltaCoeffs, "deltaCoeff", 1);
     Info<< "Region " << mesh.name() << ": LES with " << eddyModelNames[model]
-        << ", constant " << k.eddyConstant << nl;
+        << ", constant " << k.eddyConstant << (damped ? ", filter damped at walls" : "") << nl;
+    k.damped = damped;
+    return autoPtr<vanDriestWidth>(damped ? new vanDriestWidth(mesh, les) : nullptr);
 }
 
 

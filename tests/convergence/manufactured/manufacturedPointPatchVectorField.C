@@ -21,6 +21,15 @@ namespace Foam
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vector Foam::manufacturedPointPatchVectorField::motion(const point& x, const scalar t) const
+{
+    using namespace constant::mathematical;
+    return ::sin(pi*x.y())*0.5*(1 - ::cos(twoPi*t))*moves_;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::vector Foam::manufacturedPointPatchVectorField::at
@@ -30,8 +39,9 @@ Foam::vector Foam::manufacturedPointPatchVectorField::at
 ) const
 {
     const manufacturedSolution& s = manufacturedSolution::theSolution();
-    if (internalField().name() != "pointU") return s.D(x, t);
-    return s.U(x + ::sin(constant::mathematical::twoPi*t)*moves_, t);
+    const word& field = internalField().name();
+    if (field == "pointDisplacement") return motion(x, t);
+    return field == "pointU" ? s.U(x + motion(x, t), t) : s.D(x, t);
 }
 
 

@@ -44,7 +44,7 @@ const variant variants[] =
 {
     {"taylorHoodSteady", {"time=type steady;"}},
     {"taylorHoodNewmark", {"time=type Newmark; gamma 0.6;"}},
-    {"taylorHoodGeneralisedAlpha", {"time=type generalisedAlpha; rhoInf 0.5;"}},
+    {"taylorHoodGeneralisedAlpha", {"time=type generalisedAlpha; rhoInf 0.5;", "opening=type zeroGradient;"}},
     {"taylorHoodMetric", {"time=type generalisedAlpha; rhoInf 0.8;", "fluid=taylorHood; stabilisation metric"}},
     {"equalOrderSteady", {"time=type steady;", "fluid=equalOrder", "solid=enhancedStrain"}},
     {"equalOrderNewmark", {"time=type Newmark;", "fluid=equalOrder", "solid=linear"}},
@@ -78,7 +78,8 @@ const variant variants[] =
         "space",
         {
             "time=type generalisedAlpha; rhoInf 0.5;", "fluid=equalOrder", "solid=linear", "dim=3",
-            "root=type rigidContact; penalty 10; surface { type sphere; centre (0.5 -3.3 0.25); radius 3; }"
+            "root=type rigidContact; penalty 10; surface { type sphere; centre (0.5 -3.3 0.25); radius 3; }",
+            "opening=type zeroGradient;"
         }
     },
     {"spaceTaylorHood", {"time=type Newmark;", "dim=3"}},

@@ -122,6 +122,7 @@ TYPED_TEST(flowElementTest, aPackIsSeveralDoubles)
         {
             many->s[q][a][l] = one[l].s[q][a];
         }
+        many->widest2[l] = one[l].widest2;
         for (int i = 0; i < P::nNodes; ++i)
         {
             many->p[i][l] = one[l].p[i];
@@ -166,6 +167,31 @@ TYPED_TEST(flowElementTest, aPackIsSeveralDoubles)
         }
         EXPECT_LT(error, 1e-12);
     }
+}
+
+
+//- Of laminar flows between walls only Smagorinsky's viscosity is not nil; its
+//  filter has the width of the element, or less where it has a largest one
+TEST(eddyViscosity, pureShear)
+{
+    flowConstants<3> k;
+    k.C2 = 0.01;
+    Ten<double, 3> L = Ten<double, 3>::zero();
+    L(0, 1) = 5;
+    eddyViscosity<double, Hex1> eddy;
+    k.eddy = eddyModel::WALE;
+    eddy.reinit(k, L, 1, 0);
+    EXPECT_LT(eddy.nut, 1e-12);
+
+    // Volume 8, rate 5
+    k.eddy = eddyModel::SMAGORINSKY;
+    eddy.reinit(k, L, 1, 0);
+    EXPECT_NEAR(eddy.nut, 0.01*4*5, 1e-12);
+    k.damped = true;
+    eddy.reinit(k, L, 1, 0.09);
+    EXPECT_NEAR(eddy.nut, 0.01*0.09*5, 1e-12);
+    eddy.reinit(k, L, 1, 9);
+    EXPECT_NEAR(eddy.nut, 0.01*4*5, 1e-12);
 }
 
 
