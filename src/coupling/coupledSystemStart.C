@@ -22,6 +22,8 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "coupledSystem.H"
+#include "coastingScheme.H"
+#include "hasMultipliers.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -89,6 +91,51 @@ static word differing
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::coupledSystem::schemes Foam::coupledSystem::coastingSchemes() const
+{
+    schemes list;
+    for (label r = 0; r < regions_.size(); ++r) list.append(new autoPtr<feTimeScheme>(new coastingScheme));
+    return list;
+}
+
+
+void Foam::coupledSystem::putRates(const startRates& rates)
+{
+    forAll(regions_, r)
+    {
+        for (const statePart& part : regions_[r].state().parts())
+        {
+            Foam::putRates(rates.scalars[r], part.scalars());
+            Foam::putRates(rates.vectors[r], part.vectors());
+        }
+    }
+}
+
+
+void Foam::coupledSystem::keepRates(startRates& rates, bool (*wanted)(const word&))
+{
+    rates.scalars.setSize(regions_.size());
+    rates.vectors.setSize(regions_.size());
+    forAll(regions_, r)
+    {
+        for (const statePart& part : regions_[r].state().parts())
+        {
+            Foam::keepRates(part.scalars(), rates.scalars[r], wanted);
+            Foam::keepRates(part.vectors(), rates.vectors[r], wanted);
+        }
+    }
+}
+
+
+bool Foam::coupledSystem::stepTo(const scalar time, const scalar deltaT)
+{
+    for (feRegion& region : regions_) region.state().shift();
+    runTime_.setDeltaT(deltaT, false);
+    runTime_.setTime(time, kept_.at.index);
+    return step();
+}
+
+
 bool Foam::coupledSystem::solveRates
 (
     const scalar deltaT,
@@ -101,21 +148,9 @@ bool Foam::coupledSystem::solveRates
     exchange(Euler);
 
     // Values that are given go on from those of the start
-    runTime_.setDeltaT(deltaT, false);
-    runTime_.setTime(kept_.at.time + deltaT, kept_.at.index);
-    const bool ok = step();
-
-    rates.scalars.setSize(regions_.size());
-    rates.vectors.setSize(regions_.size());
+    const bool ok = stepTo(kept_.at.time + deltaT, deltaT);
     exchange(Euler);
-    forAll(regions_, r)
-    {
-        for (const statePart& part : regions_[r].state().parts())
-        {
-            keepRates(part.scalars(), rates.scalars[r], wanted);
-            keepRates(part.vectors(), rates.vectors[r], wanted);
-        }
-    }
+    keepRates(rates, wanted);
     restore();
     return ok;
 }
@@ -148,14 +183,7 @@ void Foam::coupledSystem::startConsistently()
             << " The run starts without rates" << endl;
         return;
     }
-    forAll(regions_, r)
-    {
-        for (const statePart& part : regions_[r].state().parts())
-        {
-            putRates(check.scalars[r], part.scalars());
-            putRates(check.vectors[r], part.vectors());
-        }
-    }
+    putRates(check);
     followAtStart();
     for (feRegion& region : regions_) region.state().shift();
 }
@@ -165,16 +193,45 @@ void Foam::coupledSystem::startConsistently()
 
 bool Foam::coupledSystem::project()
 {
-    // A very short step changes a velocity by the gradient of the pressure only
+    if (regions_[0].timeScheme().steady()) return true;
     Info<< "Projection of the velocities" << nl;
-    startRates velocities;
-    const auto isVelocity = [](const word& name) { return name == "U"; };
-    if (!solveRates(1e-3*runTime_.deltaTValue(), velocities, isVelocity)) return false;
+    const auto isVelocity = [](const word& name) { return name == "U" || name == "DVelocity"; };
+    const auto isPressure = [](const word& name) { return name == "p" || name == "pRate"; };
+
+    // A very short step changes a velocity by the gradient of a pressure, which
+    // makes it continuous; the next one has the accelerations of those that are,
+    // on the mesh as it moves. Pressures with a history stay as they are
+    const scalar deltaT = 1e-3*runTime_.deltaTValue();
+    startRates velocities, rates, pressures;
+    keepRates(pressures, isPressure);
     forAll(regions_, r)
     {
-        for (const statePart& part : regions_[r].state().parts()) putRates(velocities.vectors[r], part.vectors());
-        regions_[r].state().shift();
+        const auto* region = dynamic_cast<const hasMultipliers*>(&regions_[r]);
+        if (region) for (const word& name : region->multipliers()) pressures.scalars[r].erase(name);
     }
+    store();
+    schemes coasting(coastingSchemes());
+    exchange(coasting);
+    bool ok = stepTo(kept_.at.time + deltaT, deltaT);
+    keepRates(velocities, isVelocity);
+    putRates(pressures);
+    ok = ok && stepTo(kept_.at.time + 2*deltaT, deltaT);
+    exchange(coasting);
+    keepRates(rates, isRate);
+    restore();
+    if (!ok) return false;
+
+    // Those now, from those at the end of the first step
+    forAll(regions_, r) for (const word& name : velocities.vectors[r].toc())
+    {
+        const word rate(name == "U" ? "URate" : "DAcceleration");
+        velocities.vectors[r][name] -= deltaT*rates.vectors[r][rate];
+    }
+    putRates(rates);
+    putRates(velocities);
+    putRates(pressures);
+    followAtStart();
+    for (feRegion& region : regions_) region.state().shift();
     return true;
 }
 

@@ -6,7 +6,9 @@
 
 #include "aleFluid.H"
 #include "addToRunTimeSelectionTable.H"
+#include "coastingScheme.H"
 #include "flowStabilisation.H"
+#include "movesWithMesh.H"
 #include "patchIntegrals.H"
 #include "readNumber.H"
 #include "readTurbulence.H"
@@ -127,6 +129,31 @@ void Foam::aleFluid::findMacros()
                ) << nl;
     }
     if (modes == choices[0]) macros_.clear();
+}
+
+
+void Foam::aleFluid::findMovingWalls()
+{
+    DynamicList<label> nodes;
+    for (const pointPatchVectorField& patch : pointU_().boundaryField())
+    {
+        if (!dynamic_cast<const movesWithMesh*>(&patch)) continue;
+        const word& wall = patch.patch().name();
+        if (!motion_.gives(patch.patch().index()))
+        {
+            FatalErrorInFunction
+                << "Region " << name() << ": pointU is of type " << patch.type() << " on patch " << wall
+                << ", where pointDisplacement gives no motion." << nl
+                << "Give it a type with values there (nodalProfile, say), and the region a"
+                << " constant/" << name() << "/dynamicMeshDict, or pointU the type fixedValue"
+                << exit(FatalError);
+        }
+        for (const label n : fe().patchNodes(patch.patch().index()))
+        {
+            if (boundary_->patchName(n) == wall) nodes.append(n);
+        }
+    }
+    wallNodes_ = nodes;
 }
 
 
@@ -266,6 +293,7 @@ void Foam::aleFluid::makeFields()
     boundary_->setReference(motion_.reference().now);
     const bool first = returnReduce(v_.size() != fe().nNodes(), orOp<bool>());
     if (first) initialise();
+    findMovingWalls();
     loads_.reset(new flowLoads(fe(), pointU_(), pointP_(), openPressure_, first));
     findMacros();
     assembly_.reset(new flowAssembly(fe()));
@@ -377,19 +405,25 @@ void Foam::aleFluid::predict(const scalar time)
 {
     const feTimeScheme& ts = timeScheme();
     if (filter_.valid()) filter_->update(fe(), v_.v, k_.mu/k_.rho);
+    const bool coasting = coastingScheme::on(ts);
+    if (coasting) keepCompression();
     v_.predict(ts);
     incompressible() ? q_.predictStage(ts) : q_.predict(ts);
 
-    boundary_->forValues(time, [&](const label n, const vector& u) { v_.set(ts, n, u); });
-    vectorField v(v_.v);
-    if (boundary_->project(v, time)) forAll(v, n) if (v[n] != v_.v[n]) v_.set(ts, n, v[n]);
+    if (!coasting)
+    {
+        boundary_->forValues(time, [&](const label n, const vector& u) { v_.set(ts, n, u); });
+        vectorField v(v_.v);
+        if (boundary_->project(v, time)) forAll(v, n) if (v[n] != v_.v[n]) v_.set(ts, n, v[n]);
+    }
     if (pRefNode_ != -1)
     {
         incompressible() ? q_.setStage(ts, pRefNode_, pRefValue_) : q_.set(ts, pRefNode_, pRefValue_);
     }
     loads_->predict();
     motion_.predict(ts, time);
-    checkFluxes(time);
+    for (const label n : wallNodes_) v_.set(ts, n, motion_.displacement().v[n]);
+    if (!coasting) checkFluxes(time);
 }
 
 

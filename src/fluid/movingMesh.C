@@ -7,6 +7,7 @@
 #include "movingMesh.H"
 #include "feRegion.H"
 #include "unknownEntries.H"
+#include "coastingScheme.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -63,6 +64,14 @@ void Foam::movingMesh::setFollowing(const labelUList& patches)
     labelHashSet nodes;
     for (const label patchi : patches) nodes.insert(fe_->patchNodes(patchi));
     following_ = nodes.sortedToc();
+}
+
+
+bool Foam::movingMesh::gives(const label patchi) const
+{
+    return
+        pointDisplacement_.valid()
+     && isA<valuePointPatchField<vector>>(pointDisplacement_->boundaryField()[patchi]);
 }
 
 
@@ -142,6 +151,11 @@ void Foam::movingMesh::predict(const feTimeScheme& ts, const scalar time)
     if (motion_.valid()) motion_->adapt(D_.D);
     D_.predict(ts);
     if (!pointDisplacement_.valid()) return;
+    if (coastingScheme::on(ts))
+    {
+        if (followingPatches_.empty()) extend(ts);
+        return;
+    }
     boundary_->forValues
     (
         time,

@@ -8,6 +8,7 @@
 #include "simplexExchange.H"
 #include "meshBackup.H"
 #include "gatherAll.H"
+#include "followingMotion.H"
 #include "elementQuality.H"
 #include "clockValue.H"
 #include "fourDigits.H"
@@ -124,6 +125,10 @@ void Foam::regionRemeshing::apply
     mapping_->map({old, x, search, pointMap, cellMap, made}, now, map);
     discretise(map);
     memory_.setSizes(map.vertices(size));
+
+    // Interpolated rates of the old mesh's motion are not those of the new one's,
+    // which would oscillate about its own
+    if (region_.follower()) region_.follower()->followedAtStart();
 }
 
 

@@ -34,11 +34,13 @@ Foam::autoPtr<Foam::meshMapping> Foam::meshMapping::New(const dictionary& dict)
 
 Foam::labelList Foam::meshMapping::keptNodes(const source& old, const feMesh& now)
 {
+    // Mid-side nodes inside are where the motion of the new mesh begins: between
+    // their ends
     boolList kept(now.nNodes(), false);
     for (const elementBlock& block : now.blocks()) for (label e = 0; e < block.size(); ++e)
     {
         if (old.made[block.cells[e]]) continue;
-        for (label i = 0; i < block.nNodes; ++i) kept[block.element(e)[i]] = true;
+        for (label i = 0; i < block.nVertices(); ++i) kept[block.element(e)[i]] = true;
     }
     forAll(now.mesh().boundaryMesh(), patchi)
     {

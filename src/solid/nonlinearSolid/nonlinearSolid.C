@@ -7,6 +7,7 @@
 #include "nonlinearSolid.H"
 #include "zeroGradientFvPatchFields.H"
 #include "addToRunTimeSelectionTable.H"
+#include "coastingScheme.H"
 #include "unknownEntries.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -207,6 +208,8 @@ void Foam::nonlinearSolid::predict(const scalar time)
     const feTimeScheme& ts = timeScheme();
     motion_.predict(ts);
     pressure_.predictStage(ts);
+    if (coastingScheme::on(ts)) return bodies_->predict(ts, time, motion_);
+
     boundary_->forValues(time, [&](const label n, const vector& value)
     {
         vector D = Zero;
