@@ -9,6 +9,7 @@
 #include "meshBackup.H"
 #include "gatherAll.H"
 #include "followingMotion.H"
+#include "hasMultipliers.H"
 #include "elementQuality.H"
 #include "clockValue.H"
 #include "fourDigits.H"
@@ -138,6 +139,17 @@ void Foam::regionRemeshing::discretise(const stateMap& map)
     maps[regioni_] = &map;
     system_.discretise(maps);
     memory_.setPoints0(map.points0);
+}
+
+
+bool Foam::regionRemeshing::projects() const
+{
+    if (!mapping_->projects()) return false;
+    const auto* fluid = dynamic_cast<const hasMultipliers*>(&region_);
+    const word elements(feRegion::readSchemes(region_.mesh()).get<word>("elements"));
+    if (fluid && !fluid->multipliers().empty() && elements != "equalOrder") return true;
+    Info<< "    The state is interpolated, not projected: the fluid has a bulk modulus or equalOrder" << nl;
+    return false;
 }
 
 
@@ -291,7 +303,7 @@ bool Foam::regionRemeshing::exchange(const string& why, const labelHashSet& bad)
     meshBackup backup(region_);
     const scalarField sizes(memory_.sizes());
     apply(e, region_.mesh().nCells() - cells.size(), x, search);
-    const bool projected = !mapping_->projects() || system_.project();
+    const bool projected = !projects() || system_.project();
     const exchangeAudit after(audit());
     table_.report(before, after, start.elapsed());
     const string broken(projected ? table_.broken(before, after) : "the projection of the velocities has failed");
