@@ -230,7 +230,13 @@ bool Foam::coupledSystem::project()
     putRates(rates);
     putRates(velocities);
     putRates(pressures);
+
+    // Followers take the rates. Their places stay to the bit: a restart makes the
+    // weights of interfaces from them
+    startRates places;
+    keepRates(places, [](const word& name) { return name == "meshDisplacement"; });
     followAtStart();
+    putRates(places);
     for (feRegion& region : regions_) region.state().shift();
     return true;
 }
