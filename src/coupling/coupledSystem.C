@@ -213,7 +213,7 @@ Foam::coupledSystem::coupledSystem(Time& runTime)
     followAtStart();
     for (feInterface& i : interfaces_) i.setFollowed();
     staticStage_.select(regions_, runTime_.value());
-    if (projected && !project())
+    if (projected && !startContinuously())
     {
         FatalIOErrorInFunction(solution_)
             << "initialVelocities projected: none were found that obey continuity and what is given at"

@@ -156,6 +156,19 @@ bool Foam::coupledSystem::solveRates
 }
 
 
+bool Foam::coupledSystem::startContinuously()
+{
+    // A very short step changes a velocity by the gradient of the pressure only
+    Info<< "Projection of the velocities" << nl;
+    startRates velocities;
+    const auto isVelocity = [](const word& name) { return name == "U"; };
+    if (!solveRates(1e-3*runTime_.deltaTValue(), velocities, isVelocity)) return false;
+    putRates(velocities);
+    for (feRegion& region : regions_) region.state().shift();
+    return true;
+}
+
+
 void Foam::coupledSystem::startConsistently()
 {
     if (regions_[0].timeScheme().steady()) return;
