@@ -7,7 +7,7 @@ Description
     Tests of the reference elements and of feValues, one for each element.
 \*---------------------------------------------------------------------------*/
 
-#include "feValues.H"
+#include "feSecondValues.H"
 #include "feSimd.H"
 #include <gtest/gtest.h>
 #include <random>
@@ -342,6 +342,75 @@ TEST(faces, derivativeOfTheVectorArea)
     testFace<Tri2>();
     testFace<Quad1>();
     testFace<Quad2>();
+}
+
+
+//- On curved elements: against differences of first derivatives along the reference coordinates
+TYPED_TEST(elements, secondDerivatives)
+{
+    typedef TypeParam E;
+    constexpr int dim = E::dim, n = E::nNodes;
+    if constexpr (E::order == 2 && dim > 1)
+    {
+        typedef Vec<double, dim> vec;
+        typedef Ten<double, dim> ten;
+        vec x[n], u[n];
+        this->nodes(x, 0.05);
+        for (vec& ui : u) for (int a = 0; a < dim; ++a) ui[a] = this->uniform();
+
+        const auto gradients = [&](const double* xi, vec* dN)
+        {
+            double N[n], ref[n][dim];
+            E::shape(xi, N, ref);
+            ten J = ten::zero();
+            for (int i = 0; i < n; ++i) for (int a = 0; a < dim; ++a) for (int b = 0; b < dim; ++b)
+            {
+                J(a, b) += x[i][a]*ref[i][b];
+            }
+            const ten X = inv(J);
+            for (int i = 0; i < n; ++i)
+            {
+                vec r;
+                for (int a = 0; a < dim; ++a) r[a] = ref[i][a];
+                dN[i] = r & X;
+            }
+            return J;
+        };
+
+        const auto rule = quadratureOf<E>::make();
+        feValues<double, E> w;
+        feSecondValues<double, E> second;
+        for (int q = 0; q < w.nQ; ++q)
+        {
+            w.reinit(x, q);
+            second.reinit(w, x, q);
+            ten d2u[dim], sum[dim];
+            second.field(u, w.grad(u), d2u);
+            for (ten& s : sum) s = ten::zero();
+            vec dN[n], plus[n], minus[n];
+            const ten J = gradients(rule.x[q].data(), dN);
+            for (int k = 0; k < dim; ++k)
+            {
+                const double h = 1e-5;
+                auto xi = rule.x[q];
+                xi[k] += h;
+                gradients(xi.data(), plus);
+                xi[k] -= 2*h;
+                gradients(xi.data(), minus);
+                for (int i = 0; i < n; ++i) for (int a = 0; a < dim; ++a)
+                {
+                    double along = 0;
+                    for (int b = 0; b < dim; ++b) along += second.shape(w, i)(a, b)*J(b, k);
+                    EXPECT_NEAR(along, (plus[i][a] - minus[i][a])/(2*h), 1e-7);
+                }
+            }
+            for (int i = 0; i < n; ++i) for (int a = 0; a < dim; ++a) sum[a] += u[i][a]*second.shape(w, i);
+            for (int a = 0; a < dim; ++a) for (int b = 0; b < dim; ++b) for (int c = 0; c < dim; ++c)
+            {
+                EXPECT_NEAR(d2u[a](b, c), sum[a](b, c), 1e-12);
+            }
+        }
+    }
 }
 
 

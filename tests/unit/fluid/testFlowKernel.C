@@ -99,6 +99,34 @@ TYPED_TEST(flowElementTest, volumeIsConserved)
 }
 
 
+//- Poiseuille's, which an element of order 2 holds: its strong residual has the viscous term
+TYPED_TEST(flowElementTest, parabolaHasNoStrongResidual)
+{
+    typedef TypeParam E;
+    if constexpr (E::V::order == 2)
+    {
+        auto k = E::constants(0);
+        E::random(*this->nodes, 4);
+        auto& n = *this->nodes;
+        for (int i = 0; i < E::V::nNodes; ++i) for (int a = 0; a < E::dim; ++a)
+        {
+            n.x[i][a] = E::V::xi[i][a];
+            for (int b = 0; b < E::dim; ++b) n.x[i][a] += 0.1*(a + 2*b)*E::V::xi[i][b];
+            n.a[i][a] = k.g[a];
+        }
+        for (int i = 0; i < E::V::nNodes; ++i)
+        {
+            n.v[i] = Vec<double, E::dim>::zero();
+            n.v[i][0] = n.x[i][1]*n.x[i][1];
+            n.vm[i] = n.v[i];
+        }
+        for (int i = 0; i < E::P::nNodes; ++i) n.p[i] = 2*k.mu*n.x[i][0];
+        this->kernel->residual(k, n, this->R);
+        for (int i = 0; i < E::P::nNodes; ++i) EXPECT_NEAR(this->R.p[i], 0, 1e-13);
+    }
+}
+
+
 //- Lanes of a pack are elements of their own
 TYPED_TEST(flowElementTest, aPackIsSeveralDoubles)
 {
