@@ -211,7 +211,7 @@ writeControl timeStep; writeInterval 1000000; timePrecision 12;''' % (
             writeMotion(directory, flow['moves'], dim)
         left = given.replace(';', '; moves %s;' % flow['moves'], 1) if 'moves' in flow else given
         right = 'type manufacturedLoad; of flow; normal (1 0 0); value uniform (0 0 0);'
-        if solution != 'transported':
+        if solution not in ('transported', 'Kovasznay'):
             right = 'type openBoundary; backflowStabilisation 0; value uniform (0 0 0);'
         writeFile(directory, '0/fluid/pointU', field('pointU', '0 1 -1 0 0 0 0', {
             'default': given, 'left': left, 'right': right}, dim), 'pointVectorField')

@@ -227,6 +227,27 @@ public:
 };
 
 
+class KovasznaySolution : public manufacturedSolution
+{
+    static constexpr scalar Re = 10;
+    const scalar lambda_ = 0.5*Re - sqrt(0.25*sqr(Re) + 4*sqr(pi));
+
+public:
+
+    using manufacturedSolution::manufacturedSolution;
+
+    virtual vector U(const point& x, const scalar) const
+    {
+        const scalar e = exp(lambda_*x.x()), Y = 2*pi*x.y();
+        return vector(1 - e*cos(Y), lambda_/(2*pi)*e*sin(Y), 0);
+    }
+
+    virtual scalar p(const point& x, const scalar) const { return -0.5*exp(2*lambda_*x.x()); }
+
+    virtual vector D(const point&, const scalar) const { return Zero; }
+};
+
+
 class polynomialSolution : public manufacturedSolution
 {
     static scalar T(const scalar t) { return pow3(sin(1.5*t)); }
@@ -290,13 +311,14 @@ Foam::autoPtr<Foam::manufacturedSolution> Foam::manufacturedSolution::New
     const label dim
 )
 {
+    if (name == "Kovasznay") return autoPtr<manufacturedSolution>(new KovasznaySolution(dim));
     if (name == "polynomial") return autoPtr<manufacturedSolution>(new polynomialSolution(dim));
     if (name == "transported") return autoPtr<manufacturedSolution>(new transportedSolution(dim));
     if (name == "wall") return autoPtr<manufacturedSolution>(new wallSolution(dim));
     if (name != "smooth")
     {
         FatalErrorInFunction
-            << "Unknown solution " << name << ". Valid: (polynomial smooth transported wall)" << exit(FatalError);
+            << "Unknown solution " << name << ". Valid: (Kovasznay polynomial smooth transported wall)" << exit(FatalError);
     }
     return autoPtr<manufacturedSolution>(new smoothSolution(dim));
 }
