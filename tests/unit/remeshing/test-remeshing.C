@@ -441,7 +441,7 @@ TEST_P(dimensions, hasTheOrderOfItsElements)
 //  where the cells are small in one place and large in another
 TEST_P(dimensions, keepsTheNumberOfCells)
 {
-    const label dim = GetParam(), n = dim == 2 ? 20 : 7;
+    const label dim = GetParam(), n = dim == 2 ? 20 : 6;
     const dictionary dict(IStringStream("remesher CGAL;")());
     for (const scalar grading : {0.0, 0.8})
     {
@@ -453,7 +453,7 @@ TEST_P(dimensions, keepsTheNumberOfCells)
         const simplexMesh first(simplicesOf(old.fe, old.fe.points(), old.all(), nodes));
         scalarField sizes(cellSizes(old.fe), nodes);
         simplexMesh mesh(first);
-        for (label i = 0; i < 4; ++i)
+        for (label i = 0; i < 3; ++i)
         {
             const simplexField size(mesh, sizes);
             simplexMesh now(mesh);
