@@ -204,6 +204,29 @@ void Foam::coupledSystem::startConsistently()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::coupledSystem::projects() const
+{
+    for (const feRegion& region : regions_)
+    {
+        const auto* fluid = dynamic_cast<const hasMultipliers*>(&region);
+        if (!fluid) continue;
+        const word elements(feRegion::readSchemes(region.mesh()).get<word>("elements"));
+        if (!fluid->multipliers().empty() && elements != "equalOrder") continue;
+        Info<< "    The state is interpolated, not projected: fluid " << region.name()
+            << " has a bulk modulus or equalOrder" << nl;
+        return false;
+    }
+    return true;
+}
+
+
+void Foam::coupledSystem::settle()
+{
+    followAtStart();
+    for (feRegion& region : regions_) region.state().shift();
+}
+
+
 bool Foam::coupledSystem::project()
 {
     if (regions_[0].timeScheme().steady()) return true;

@@ -406,7 +406,6 @@ void Foam::aleFluid::predict(const scalar time)
     const feTimeScheme& ts = timeScheme();
     if (filter_.valid()) filter_->update(fe(), v_.v, k_.mu/k_.rho);
     const bool coasting = coastingScheme::on(ts);
-    if (coasting) keepCompression();
     v_.predict(ts);
     incompressible() ? q_.predictStage(ts) : q_.predict(ts);
 
@@ -564,6 +563,12 @@ Foam::tmp<Foam::scalarField> Foam::aleFluid::nodalPressure() const
         for (const label m : fe().parents()[n]) p[n] += p[m]/fe().parents()[n].size();
     }
     return tp;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::aleFluid::density() const
+{
+    return k_.rho*exp(k_.rBulk*(nodalPressure() - k_.p0));
 }
 
 

@@ -8,7 +8,6 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "aleFluid.H"
-#include "coastingScheme.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -38,21 +37,6 @@ void Foam::aleFluid::stage()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::aleFluid::keepCompression()
-{
-    compression_.clear();
-    if (incompressible()) return;
-    stage();
-    flowParameters stiff(k_);
-    stiff.rBulk = 0;
-    scalarField without(continuity_.size(), 0);
-    compression_ = scalarField(continuity_.size(), 0);
-    assembly_->assemble(k_, stage_, force_, compression_, nullptr);
-    assembly_->assemble(stiff, stage_, force_, without, nullptr);
-    compression_ -= without;
-}
-
-
 void Foam::aleFluid::assemble(scalarField& R, feMatrix* K)
 {
     const feTimeScheme& ts = timeScheme();
@@ -73,14 +57,7 @@ void Foam::aleFluid::assemble(scalarField& R, feMatrix* K)
         to.heldNodes.setSize(fe().nNodes(), false);
         for (const label n : motion_.following()) to.heldNodes[n] = true;
     }
-    if (coastingScheme::on(ts) && !incompressible())
-    {
-        flowParameters stiff(k_);
-        stiff.rBulk = 0;
-        continuity_ = compression_;
-        minDetJ_ = assembly_->assemble(stiff, stage_, force_, continuity_, K ? &to : nullptr);
-    }
-    else minDetJ_ = assembly_->assemble(k_, stage_, force_, continuity_, K ? &to : nullptr);
+    minDetJ_ = assembly_->assemble(k_, stage_, force_, continuity_, K ? &to : nullptr);
 
     loads_->addSurface
     ({

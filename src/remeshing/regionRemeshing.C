@@ -5,13 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "regionRemeshing.H"
-#include "simplexExchange.H"
-#include "meshBackup.H"
-#include "gatherAll.H"
-#include "followingMotion.H"
-#include "hasMultipliers.H"
 #include "elementQuality.H"
-#include "clockValue.H"
 #include "fourDigits.H"
 #include "wallPolyPatch.H"
 #include "subDictOrEmpty.H"
@@ -32,15 +26,16 @@ static IOobject dictIO(const feRegion& region)
 }
 
 
-static vectorField present(const feRegion& region)
-{
-    return region.fe().points() + region.motion().D;
-}
-
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vectorField Foam::regionRemeshing::present() const
+{
+    return region_.fe().points() + static_cast<const feRegion&>(region_).motion().D;
+}
+
 
 void Foam::regionRemeshing::findPatches()
 {
@@ -51,112 +46,6 @@ void Foam::regionRemeshing::findPatches()
         for (const polyPatch& pp : region_.mesh().boundaryMesh()) if (isA<wallPolyPatch>(pp)) patches.append(pp.index());
     }
     patches_.transfer(patches);
-}
-
-
-Foam::string Foam::regionRemeshing::makeMesh
-(
-    const labelUList& cells,
-    const vectorField& x,
-    const elementSearch& search,
-    meshExchange& e
-) const
-{
-    const feMesh& fe = region_.fe();
-    labelList nodes;
-    const simplexMesh old(simplicesOf(fe, x, cells, nodes));
-    simplexMesh now(old);
-    const auto size = [&](const point& p)
-    {
-        point at = Zero;
-        for (label a = 0; a < fe.dim(); ++a) at[fe.axis(a)] = p[a];
-        labelList vertices;
-        scalarList N;
-        search.vertexWeights(search.find(at, GREAT), vertices, N);
-        scalar s = 0;
-        forAll(vertices, i) s += N[i]*memory_.size(vertices[i]);
-        return s;
-    };
-    string failure;
-    if (!cells.empty()) failure = remesher_->remesh(old, size, now);
-    if (!failure.empty()) return failure;
-    failure = simplexExchange(fe, fe.movedPoints(region_.motion().D), cells).make(now, nodes, e);
-    if (!failure.empty()) return failure;
-
-    // New cells have the old one at their centre
-    label k = 0;
-    for (label& c : e.cellMap)
-    {
-        if (c >= 0) continue;
-        point centre = Zero;
-        for (const label p : now.cells[k]) for (label a = 0; a < fe.dim(); ++a)
-        {
-            centre[fe.axis(a)] += now.points[p][a]/now.cells[k].size();
-        }
-        const elementSearch::place place(search.find(centre, GREAT));
-        if (place.block < 0) return "a new cell is not in the old mesh";
-        c = search.cell(place);
-        ++k;
-    }
-    return "";
-}
-
-
-void Foam::regionRemeshing::apply
-(
-    meshExchange& e,
-    const label nKept,
-    const vectorField& x,
-    const elementSearch& search
-)
-{
-    fvMesh& mesh = region_.mesh();
-    const feMesh& old = region_.fe();
-
-    // Kept cells come first, in their order
-    const labelList pointMap(e.pointMap), cellMap(e.cellMap);
-    boolList made(cellMap.size(), false);
-    forAll(made, c) made[c] = c >= nKept;
-    const scalarField size(memory_.sizes());
-
-    e.apply(mesh);
-    stateMap map;
-    map.points0 = mesh.points();
-    const feMesh now(mesh, old.order(), feRegion::readSchemes(mesh), map.points0);
-    mapping_->map({old, x, search, pointMap, cellMap, made}, now, map);
-    discretise(map);
-    memory_.setSizes(map.vertices(size));
-
-    // Interpolated rates of the old mesh's motion are not those of the new one's,
-    // which would oscillate about its own
-    if (region_.follower()) region_.follower()->followedAtStart();
-}
-
-
-void Foam::regionRemeshing::discretise(const stateMap& map)
-{
-    List<const stateMap*> maps(system_.regions().size(), nullptr);
-    maps[regioni_] = &map;
-    system_.discretise(maps);
-    memory_.setPoints0(map.points0);
-}
-
-
-bool Foam::regionRemeshing::projects() const
-{
-    if (!mapping_->projects()) return false;
-    const auto* fluid = dynamic_cast<const hasMultipliers*>(&region_);
-    const word elements(feRegion::readSchemes(region_.mesh()).get<word>("elements"));
-    if (fluid && !fluid->multipliers().empty() && elements != "equalOrder") return true;
-    Info<< "    The state is interpolated, not projected: the fluid has a bulk modulus or equalOrder" << nl;
-    return false;
-}
-
-
-Foam::exchangeAudit Foam::regionRemeshing::audit()
-{
-    system_.linearise();
-    return exchangeAudit(region_, patches_);
 }
 
 
@@ -221,7 +110,7 @@ Foam::labelHashSet Foam::regionRemeshing::bad(string& why, const bool inverted) 
     // A step that failed has left no displacement: go on at the rate of the one before
     const motionField& motion = static_cast<const feRegion&>(region_).motion();
     const scalar deltaT = region_.mesh().time().deltaTValue();
-    const vectorField x(present(region_)), dx(inverted ? vectorField(deltaT*motion.v) : vectorField(motion.D - motion.D0));
+    const vectorField x(present()), dx(inverted ? vectorField(deltaT*motion.v) : vectorField(motion.D - motion.D0));
     labelHashSet cells;
     for (const remeshCriterion& c : criteria_)
     {
@@ -259,7 +148,7 @@ void Foam::regionRemeshing::report(const labelHashSet& bad, const string& why) c
 {
     const feMesh& fe = region_.fe();
     const List<qualityMeasure>& measures = qualityMeasures();
-    const scalarList worst(worstOf(fe, present(region_)));
+    const scalarList worst(worstOf(fe, present()));
     const label nCells = returnReduce(region_.mesh().nCells(), sumOp<label>());
     const label nBad = returnReduce(bad.size(), sumOp<label>());
     const label n = returnReduce(selection_.cells(fe, bad).size(), sumOp<label>());
@@ -274,51 +163,6 @@ void Foam::regionRemeshing::toConstant()
 {
     region_.mesh().setInstance(region_.mesh().time().constant());
     memory_.forgetPoints0();
-}
-
-
-bool Foam::regionRemeshing::exchange(const string& why, const labelHashSet& bad)
-{
-    const clockValue start(true);
-    Info<< "Remeshing of region " << region_.name() << " at time " << region_.mesh().time().timeName()
-        << ": " << why.c_str() << nl;
-    const vectorField x(present(region_));
-    const elementSearch search(region_.fe(), x);
-    const labelList cells(selection_.cells(region_.fe(), bad));
-    if (!any(bad))
-    {
-        Info<< "    No cell that may be exchanged is bad: the mesh stays" << nl << endl;
-        return false;
-    }
-    meshExchange e;
-    const string mine(makeMesh(cells, x, search, e));
-    for (const string& failure : gatherAll<string>(List<string>(1, mine)))
-    {
-        if (failure.empty()) continue;
-        WarningInFunction
-            << "Region " << region_.name() << ": " << failure.c_str() << ". The old mesh stays" << endl;
-        return false;
-    }
-    const exchangeAudit before(audit());
-    meshBackup backup(region_);
-    const scalarField sizes(memory_.sizes());
-    apply(e, region_.mesh().nCells() - cells.size(), x, search);
-    const bool projected = !projects() || system_.project();
-    const exchangeAudit after(audit());
-    table_.report(before, after, start.elapsed());
-    const string broken(projected ? table_.broken(before, after) : "the projection of the velocities has failed");
-    if (!broken.empty())
-    {
-        WarningInFunction
-            << "Region " << region_.name() << ": " << broken.c_str() << ". The old mesh is put back" << endl;
-        backup.restoreMesh(region_.mesh(), e);
-        discretise(backup.map());
-        region_.state().set(backup.state());
-        memory_.setSizes(sizes);
-        return false;
-    }
-    region_.derive();
-    return true;
 }
 
 

@@ -5,38 +5,36 @@
 \*---------------------------------------------------------------------------*/
 
 #include "remeshMemory.H"
+#include "elementQuality.H"
 #include "points0MotionSolver.H"
 #include "unknownEntries.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-namespace Foam
+Foam::scalarField Foam::cellSizes(const feMesh& fe)
 {
-
-//- Mean length of the edges at the vertices of the reference
-static scalarField meanEdges(const feMesh& fe)
-{
-    scalarField sum(fe.nNodes(), 0), n(sum);
-    for (const elementBlock& block : fe.blocks()) withElement(block, [&](auto tag)
+    const scalar regular = fe.dim() == 2 ? Foam::sqrt(3.0)/4 : Foam::sqrt(2.0)/12;
+    const elementQualities all(qualities(fe, fe.points()));
+    scalarField sum(fe.nVertices(), 0), n(sum);
+    forAll(all, b) forAll(all[b], e)
     {
-        typedef decltype(tag) E;
-        for (label e = 0; e < block.size(); ++e) for (const auto& edge : E::edges)
+        const elementBlock& block = fe.blocks()[b];
+        for (label i = 0; i < block.nVertices(); ++i)
         {
-            const label a = block.element(e)[edge[0]], b = block.element(e)[edge[1]];
-            const scalar l = mag(fe.points()[b] - fe.points()[a]);
-            for (const label v : {a, b})
-            {
-                sum[v] += l;
-                n[v] += 1;
-            }
+            sum[block.element(e)[i]] += all[b][e].volume/regular;
+            n[block.element(e)[i]] += 1;
         }
-    });
-    fe.copies().sum(sum);
-    fe.copies().sum(n);
-    return sum/max(n, scalar(1));
+    }
+    for (scalarField* f : {&sum, &n})
+    {
+        f->setSize(fe.nNodes(), 0);
+        fe.copies().sum(*f);
+    }
+    scalarField size(sum/max(n, scalar(1)));
+    size.setSize(fe.nVertices());
+    for (scalar& s : size) s = Foam::pow(s, 1.0/fe.dim());
+    return size;
 }
-
-} // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -65,7 +63,7 @@ Foam::IOobject Foam::remeshMemory::sizesIO(const IOobject::readOption read) cons
 
 void Foam::remeshMemory::makeSizes(const dictionary& dict)
 {
-    scalarField size(meanEdges(region_.fe()));
+    scalarField size(cellSizes(region_.fe()));
     size *= dict.getOrDefault<scalar>("factor", 1);
     const scalar least = dict.getOrDefault<scalar>("min", 0), most = dict.getOrDefault<scalar>("max", GREAT);
     for (scalar& s : size) s = min(max(s, least), most);

@@ -114,16 +114,22 @@ Foam::string Foam::remeshers::remeshTets
     {
         return "the boundary of the selected cells meets itself at an edge or a point";
     }
+    // With this the cells have the mean volume of regular ones with the edges that are
+    // asked for: measured, exchanging uniform meshes again and again
+    const scalar calibration = 1.03;
     const auto length = [&](const kernel::Point_3& p, const int, const triangulation::Vertex::Index&) -> double
     {
-        return size(point(p.x(), p.y(), p.z()));
+        return calibration*size(point(p.x(), p.y(), p.z()));
     };
-    // The best of the iterations; more of them where slivers are left
+
+    // Sizes are not what they shall be before the last of the iterations, of which
+    // there are more where slivers are left; the best of these
     const scalar enough = 10;
     scalar best = -1;
-    for (label i = 0; i < nIterations || (i < 3*nIterations && best < enough); ++i)
+    for (label i = 1; i <= nIterations || (i <= 3*nIterations && best < enough); ++i)
     {
         ::CGAL::tetrahedral_isotropic_remeshing(tets, length, ::CGAL::parameters::remesh_boundaries(false));
+        if (i < nIterations) continue;
         const scalar angle = minAngle(tets);
         if (angle <= best) continue;
         best = angle;

@@ -6,6 +6,8 @@
 
 #include "exchangeAudit.H"
 #include "elementQuality.H"
+#include "hasDensity.H"
+#include "simplexQuality.H"
 #include "feValues.H"
 #include "fourDigits.H"
 #include "unknownEntries.H"
@@ -18,16 +20,8 @@
 namespace Foam
 {
 
-//- Integrals over the elements of 1, v and v.v/2
-static void integrate
-(
-    const feMesh& fe,
-    const vectorField& x,
-    const vectorField& v,
-    scalar& volume,
-    vector& momentum,
-    scalar& energy
-)
+//- Integrals over the elements of 1, rho, rho v and rho v.v/2
+static void integrate(const feMesh& fe, const vectorField& x, const vectorField& v, const scalarField& rho, exchangeAudit& sum)
 {
     for (const elementBlock& block : fe.blocks()) withElement(block, [&](auto tag)
     {
@@ -44,16 +38,23 @@ static void integrate
             {
                 w.reinit(xe, q);
                 vector vq = Zero;
-                for (int i = 0; i < E::nNodes; ++i) vq += w.N[i]*v[nodes[i]];
-                volume += w.dV;
-                momentum += vq*w.dV;
-                energy += 0.5*(vq & vq)*w.dV;
+                scalar dm = 0;
+                for (int i = 0; i < E::nNodes; ++i)
+                {
+                    vq += w.N[i]*v[nodes[i]];
+                    dm += w.N[i]*rho[nodes[i]]*w.dV;
+                }
+                sum.volume += w.dV;
+                sum.mass += dm;
+                sum.momentum += vq*dm;
+                sum.kineticEnergy += 0.5*(vq & vq)*dm;
             }
         }
     });
-    reduce(volume, sumOp<scalar>());
-    reduce(momentum, sumOp<vector>());
-    reduce(energy, sumOp<scalar>());
+    reduce(sum.volume, sumOp<scalar>());
+    reduce(sum.mass, sumOp<scalar>());
+    reduce(sum.momentum, sumOp<vector>());
+    reduce(sum.kineticEnergy, sumOp<scalar>());
 }
 
 } // End namespace Foam
@@ -84,15 +85,22 @@ Foam::scalarList Foam::worstOf(const feMesh& fe, const vectorField& x)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::exchangeAudit::exchangeAudit(const feRegion& region, const labelUList& patches)
+Foam::exchangeAudit::exchangeAudit
+(
+    const feRegion& region,
+    const labelUList& patches,
+    const labelUList& oldVertices
+)
 :
     nCells(returnReduce(region.mesh().nCells(), sumOp<label>())),
     nNodes(0),
     volume(0),
+    mass(0),
     momentum(Zero),
     kineticEnergy(0),
     force(Zero),
-    forces(0)
+    forces(0),
+    old(oldVertices)
 {
     const feMesh& fe = region.fe();
     for (label n = 0; n < fe.nNodes(); ++n) nNodes += fe.copies().owned(n);
@@ -101,7 +109,11 @@ Foam::exchangeAudit::exchangeAudit(const feRegion& region, const labelUList& pat
     const vectorField x(fe.points() + region.motion().D);
     worst = worstOf(fe, x);
     const vectorField* v = region.state().find<vector>("U");
-    integrate(fe, x, v ? *v : region.motion().v, volume, momentum, kineticEnergy);
+    const auto* dense = dynamic_cast<const hasDensity*>(&region);
+    const scalarField rho(dense ? dense->density()() : scalarField(fe.nNodes(), 1));
+    integrate(fe, x, v ? *v : region.motion().v, rho, *this);
+    const scalarField* p = region.state().find<scalar>("p");
+    if (p && p->size() == fe.nVertices()) pressure = *p;
 
     // The rank's part of it
     labelHashSet boundary;
@@ -120,7 +132,10 @@ Foam::exchangeAudit::exchangeAudit(const feRegion& region, const labelUList& pat
 
 const Foam::wordList& Foam::exchangeAudit::changeNames()
 {
-    static const wordList names({"volume", "momentum", "kineticEnergy", "force"});
+    static const wordList names
+    ({
+        "volume", "mass", "momentum", "kineticEnergy", "force", "meanPressure", "pressure"
+    });
     return names;
 }
 
@@ -128,24 +143,52 @@ const Foam::wordList& Foam::exchangeAudit::changeNames()
 Foam::scalarList Foam::exchangeAudit::changes(const exchangeAudit& b) const
 {
     const auto relative = [](const scalar change, const scalar size) { return change/max(size, VSMALL); };
+    const Pair<scalar> p(pressureChanges(b));
     return
     {
         relative(mag(volume - b.volume), b.volume),
-        relative(mag(momentum - b.momentum), Foam::sqrt(2*b.kineticEnergy*b.volume)),
+        relative(mag(mass - b.mass), b.mass),
+        relative(mag(momentum - b.momentum), Foam::sqrt(2*b.kineticEnergy*b.mass)),
         relative(mag(kineticEnergy - b.kineticEnergy), b.kineticEnergy),
-        relative(mag(force - b.force), b.forces)
+        relative(mag(force - b.force), b.forces),
+        p.first(), p.second()
     };
+}
+
+
+Foam::Pair<Foam::scalar> Foam::exchangeAudit::pressureChanges(const exchangeAudit& b) const
+{
+    scalar sum = 0, largest = 0;
+    label n = 0;
+    forAll(pressure, i)
+    {
+        if (old[i] < 0) continue;
+        const scalar change = mag(pressure[i] - b.pressure[old[i]]);
+        sum += change;
+        largest = max(largest, change);
+        ++n;
+    }
+    reduce(sum, sumOp<scalar>());
+    reduce(largest, maxOp<scalar>());
+    reduce(n, sumOp<label>());
+
+    // Of a pressure that is nil but for round-off, the flow's energy tells the size
+    const scalar range = max(gMax(b.pressure) - gMin(b.pressure), 1e-9*b.kineticEnergy/b.volume);
+    if (!n || range <= 0) return Pair<scalar>(0, 0);
+    return Pair<scalar>(sum/n/range, largest/range);
 }
 
 
 Foam::scalarList Foam::exchangeTable::readBounds(const dictionary& dict)
 {
-    const wordList& names = exchangeAudit::changeNames();
+    wordList names(exchangeAudit::changeNames());
+    names.append("scaledJacobian");
     reportUnknownEntries(dict, names);
     scalarList bounds;
     for (const word& name : names)
     {
-        bounds.append(dict.getOrDefault<scalar>(name, name == "volume" ? 1e-9 : GREAT));
+        const scalar usual = name == "volume" ? 1e-9 : name == "scaledJacobian" ? 0.1 : GREAT;
+        bounds.append(dict.getOrDefault<scalar>(name, usual));
         if (bounds.last() > 0) continue;
         FatalIOErrorInFunction(dict)
             << "The bound on " << name << " is " << bounds.last() << ", expected a number > 0"
@@ -160,6 +203,17 @@ Foam::exchangeTable::exchangeTable(const feRegion& region, const dictionary& bou
     region_(region),
     bounds_(readBounds(bounds))
 {}
+
+
+Foam::string Foam::exchangeTable::worse(const simplexMesh& old, const simplexMesh& now) const
+{
+    const scalar before = leastScaledJacobian(old), after = leastScaledJacobian(now);
+    if (after > 0 && after >= min(before, bounds_.last())) return "";
+    OStringStream os;
+    os  << "the worst of the new cells has the scaled Jacobian " << after << ", that of those there are "
+        << before << ", and its bound is " << bounds_.last();
+    return os.str();
+}
 
 
 Foam::string Foam::exchangeTable::broken(const exchangeAudit& before, const exchangeAudit& after) const

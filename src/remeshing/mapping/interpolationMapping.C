@@ -7,6 +7,7 @@
 #include "interpolationMapping.H"
 #include "addToRunTimeSelectionTable.H"
 #include "unknownEntries.H"
+#include "OStringStream.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -24,24 +25,20 @@ namespace meshMappings
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::elementSearch::place Foam::meshMappings::interpolation::find
+Foam::string Foam::meshMappings::interpolation::outside
 (
-    const source& old,
     const point& x,
-    const string& what
+    const elementSearch::place& nearest
 ) const
 {
-    const elementSearch::place place(old.search.find(x, tolerance_));
-    if (place.block < 0)
+    OStringStream os;
+    os  << "a node at " << x << " is outside of the mesh with the values";
+    if (nearest.moved < GREAT)
     {
-        FatalErrorInFunction
-            << "Region " << old.fe.mesh().name() << ": a new " << what.c_str() << " at " << x
-            << " is outside of the old mesh, by " << place.moved
-            << " of the size of the nearest element; the tolerance of the mapping is " << tolerance_
-            << '.' << nl << "Give the mapping a larger tolerance, or the boundary a finer mesh"
-            << exit(FatalError);
+        os  << ", by " << nearest.moved << " of the size of the nearest element; the tolerance of the mapping is "
+            << tolerance_;
     }
-    return place;
+    return os.str();
 }
 
 
@@ -62,7 +59,7 @@ Foam::meshMappings::interpolation::interpolation(const dictionary& coeffs)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::meshMappings::interpolation::map(const source& old, const feMesh& now, stateMap& m) const
+Foam::string Foam::meshMappings::interpolation::map(const source& old, const feMesh& now, stateMap& m) const
 {
     const auto setSize = [](valueMap& map, const label n)
     {
@@ -89,11 +86,13 @@ void Foam::meshMappings::interpolation::map(const source& old, const feMesh& now
             if (n < now.nVertices()) keep(m.vertices, n, kept[n]);
             continue;
         }
-        const elementSearch::place place(find(old, now.points()[n], "node"));
+        const elementSearch::place place(old.search.find(now.points()[n], tolerance_));
+        if (place.block < 0) return outside(now.points()[n], place);
         old.search.weights(place, m.nodes.from[n], m.nodes.weight[n]);
         if (n < now.nVertices()) old.search.vertexWeights(place, m.vertices.from[n], m.vertices.weight[n]);
     }
     forAll(m.cells.from, c) keep(m.cells, c, old.cellMap[c]);
+    return "";
 }
 
 
