@@ -51,6 +51,22 @@ def tetsFaces(v):
         yield [[a, c, b], [a, b, d], [b, c, d], [a, d, c]]
 
 
+def fiveTetsFaces(v, inside):
+    """The same of the tetrahedron of four corners that are no neighbours, inside,
+    and of those that it leaves, one for each other corner"""
+
+    for corner in v:
+        if inside[corner]:
+            continue
+        near = [v[tuple(x ^ (a == b) for b, x in enumerate(corner))] for a in range(3)]
+        a, (b, c, d) = v[corner], near if sum(corner) % 2 == 0 else near[::-1]
+        yield [[a, c, b], [a, b, d], [b, c, d], [a, d, c]]
+    a, b, c, d = (v[corner] for corner in sorted(v) if inside[corner])
+    if not inside[0, 0, 0]:
+        b, c = c, b
+    yield [[a, c, b], [a, b, d], [b, c, d], [a, d, c]]
+
+
 def prismsFaces(v):
     """The same of the two prisms along the third direction"""
 
