@@ -167,6 +167,7 @@ struct fibreReinforcedMaterial : mixedMaterialOf<fibreReinforced>
         mixedMaterialOf<fibreReinforced>(dict, fibreReinforced(dict), fibreReinforced::entries())
     {}
 
+    bool ofStretches() const override { return false; }
     void setAxes(const FixedList<label, 3>& axis) override { law().setAxes(axis); }
 };
 

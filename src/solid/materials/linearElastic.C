@@ -72,7 +72,15 @@ private:
     }
 };
 
-registerSolidMaterial(linearElastic);
+
+struct linearElasticMaterial : solidMaterialOf<linearElastic>
+{
+    using solidMaterialOf<linearElastic>::solidMaterialOf;
+
+    bool ofStretches() const override { return false; }
+};
+
+addNamedToRunTimeSelectionTable(solidMaterial, linearElasticMaterial, dictionary, linearElastic);
 
 } // End namespace solidLaws
 } // End namespace Foam

@@ -127,7 +127,9 @@ void Foam::nonlinearSolid::findHeldPressures()
 void Foam::nonlinearSolid::makeFields()
 {
     assembly_.reset(new solidAssembly(fe(), elements_, mechanicalProperties_));
+    assembly_->setPrestress(solidPrestress::New(mesh_));
     assembly_->setSize(history_);
+    watch_.reset(new solidWatch(fe(), assembly_()));
     boundary_.reset(new nodalBoundary(fe(), pointD_()));
     bodies_.reset
     (
@@ -282,12 +284,6 @@ void Foam::nonlinearSolid::update(const scalarField& dx)
     {
         pressure_.setStage(ts, i, pressure_.v[i] + dx[unknowns().start(PRESSURE, i)]);
     }
-}
-
-
-void Foam::nonlinearSolid::advance()
-{
-    assembly_->finish(stage_(), timeScheme(), stageVelocity_, motion_.D, history_);
 }
 
 

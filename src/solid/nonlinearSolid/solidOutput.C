@@ -4,8 +4,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 
 Description
-    What nonlinearSolid tells others: fields, stresses and strains, forces,
-    integrals.
+    What nonlinearSolid tells others at the end of a step: fields, stresses and
+    strains, forces, integrals, warnings.
 \*---------------------------------------------------------------------------*/
 
 #include "nonlinearSolid.H"
@@ -105,6 +105,13 @@ Foam::nonlinearSolid::pointValues(Type (solidPoint::*of)() const) const
         fe().toPoints<Type>(points.vertices<Type>(of)(), tvalues.ref());
     });
     return tvalues;
+}
+
+
+void Foam::nonlinearSolid::advance()
+{
+    assembly_->finish(stage_(), timeScheme(), stageVelocity_, motion_.D, history_);
+    withPoints([&](const solidPoints& points) { watch_->check(points, motion_.D); });
 }
 
 

@@ -334,9 +334,24 @@ Foam::scalar Foam::solidAssembly::assemble
             mixed(b)
           ? mixedLoops_[m].assemble(blocks_[b], stage, force, volume, to.get())
           : loops_[m].assemble(blocks_[b], stage, force, to.get());
+        if (prestress_) prestress_->assemble(blocks_[b], stage, force, to.get());
         minDetJ = min(minDetJ, detJ);
     }
     return minDetJ;
+}
+
+
+void Foam::solidAssembly::setPrestress(autoPtr<solidPrestress> prestress)
+{
+    if (prestress && (elements_.enhanced || elements_.shell))
+    {
+        FatalErrorInFunction
+            << "Region " << fe_.mesh().name() << " has a field prestress, which elements "
+            << elements_.name << " have not." << nl
+            << "Choose other elements in feSchemes, as quadratic or Q1Q0, or remove the field"
+            << exit(FatalError);
+    }
+    prestress_ = std::move(prestress);
 }
 
 

@@ -76,6 +76,14 @@ Foam::solidPoint Foam::solidPoints::point
         s.W = material.W(s.F);
     }
     if (history_.size()) s.P += s.F & viscousStress<E>(blocki, cell, q);
+    if (assembly_.prestress())
+    {
+        ten S0;
+        const tensor S((*assembly_.prestress())[cell]);
+        for (int a = 0; a < 3; ++a) for (int b = 0; b < 3; ++b) S0(a, b) = S(a, b);
+        s.P += s.F & S0;
+        s.W += 0.5*(S0 && ((s.F.t() & s.F) - ten::I()));
+    }
     return s;
 }
 
@@ -98,7 +106,7 @@ void Foam::solidPoints::atCentres(const F& f) const
                 for (int c = 0; c < E::dim; ++c) centre[c] += E::xi[i][c]/E::nVertices;
             }
             E::shape(centre, N, dN);
-            for (label e = 0; e < block.size(); ++e) f(block.cells[e], point<E>(b, e, dN, vertices, -1));
+            for (label e = 0; e < block.size(); ++e) f(b, e, point<E>(b, e, dN, vertices, -1));
         });
     }
 }
@@ -138,7 +146,10 @@ Foam::tmp<Foam::Field<Type>> Foam::solidPoints::cells(Type (solidPoint::*of)() c
 {
     tmp<Field<Type>> tvalues(new Field<Type>(fe_.mesh().nCells(), Zero));
     Field<Type>& values = tvalues.ref();
-    atCentres([&](const label cell, const solidPoint& s) { values[cell] = (s.*of)(); });
+    atCentres([&](const label b, const label e, const solidPoint& s)
+    {
+        values[assembly_.blocks()[b].cells[e]] = (s.*of)();
+    });
     return tvalues;
 }
 

@@ -101,14 +101,16 @@ TEST(solidOutput, extrapolatesToThePoints)
 TEST(solidOutput, strainEnergyHasTheForcesForItsGradient)
 {
     const std::string rubber("type MooneyRivlin; c1 10; c2 3; bulkModulus 80;");
-    struct { const char* elements; std::string material; } cases[] =
+    struct { const char* elements; std::string material, prestress; } cases[] =
     {
-        {"linear", neoHookean}, {"enhancedStrain", neoHookean}, {"enhancedStrain", rubber}, {"quadratic", rubber}
+        {"linear", neoHookean, ""}, {"enhancedStrain", neoHookean, ""}, {"enhancedStrain", rubber, ""},
+        {"quadratic", rubber, ""}, {"quadratic", rubber, "uniform (30 5 -3 -20 4 10)"}
     };
     for (const auto& run : cases)
     {
         SCOPED_TRACE(run.elements);
         solidCase c;
+        c.prestress = run.prestress;
         cube(c, run.elements, run.material);
         Foam::Random random(1);
         scalarField x(c.nUnknowns()), dx(x);
@@ -121,6 +123,28 @@ TEST(solidOutput, strainEnergyHasTheForcesForItsGradient)
         const scalar W = c.solid->integrals().strain;
         c.update(-2*h*dx);
         EXPECT_NEAR((W - c.solid->integrals().strain)/(2*h), power, 1e-6*mag(power));
+    }
+}
+
+
+//- At rest the stress is that of the reference configuration; its tangent
+TEST(solidOutput, hasAPrestress)
+{
+    for (const char* elements : {"linear", "quadratic", "Q1Q0"})
+    {
+        SCOPED_TRACE(elements);
+        solidCase c;
+        c.prestress = "uniform (30 5 -3 -20 4 10)";
+        cube(c, elements, "type MooneyRivlin; c1 10; c2 3; bulkModulus 80;");
+        EXPECT_LT(max(mag(c.solid->cellValues<symmTensor>(&solidPoint::sigma) - symmTensor(30, 5, -3, -20, 4, 10))), 1e-12);
+
+        Foam::Random random(1);
+        scalarField x(c.nUnknowns()), dx(x);
+        for (scalar& s : x) s = 0.04*random.GaussNormal<scalar>();
+        for (scalar& s : dx) s = random.GaussNormal<scalar>();
+        c.next();
+        c.update(x);
+        EXPECT_LT(c.tangentError(dx), 1e-6);
     }
 }
 
