@@ -147,6 +147,7 @@ void Foam::feMotionSolver::solve()
             << "The linear problem of the mesh motion of region " << mesh().name()
             << " could not be solved" << exit(FatalError);
     }
+    motion_->settle(D);
     check(D, last);
     fe_->toPoints<vector>(D, pointDisplacement().primitiveFieldRef());
 }
