@@ -131,7 +131,7 @@ Foam::List<const Foam::feLinearSolver*> Foam::nodalMotion::solvers() const
 
 void Foam::nodalMotion::adapt(const vectorField& u)
 {
-    if (!incremental_ && !updates_ && !nonlinear()) return;
+    if (!hasSteps()) return;
     if (returnReduce(u != at_, orOp<bool>())) factorise(u);
     if (incremental_ || nonlinear()) for (problem& p : problems_) makeOffset(p, u);
 }
