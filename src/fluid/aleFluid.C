@@ -510,7 +510,7 @@ Foam::string Foam::aleFluid::singularAdvice(const label field) const
 
 void Foam::aleFluid::reportSolvers(Ostream& os) const
 {
-    if (const feLinearSolver* solver = motion_.solver())
+    for (const feLinearSolver* solver : motion_.solvers())
     {
         os << "Factors of the mesh motion of " << name() << ": " << solver->stats() << nl;
     }

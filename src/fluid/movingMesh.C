@@ -148,6 +148,8 @@ void Foam::movingMesh::connect
 
 void Foam::movingMesh::predict(const feTimeScheme& ts, const scalar time)
 {
+    // What slides along curved surfaces goes by the field's last displacement
+    derive();
     if (motion_.valid()) motion_->adapt(D_.D);
     D_.predict(ts);
     if (!pointDisplacement_.valid()) return;

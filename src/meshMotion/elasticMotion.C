@@ -122,6 +122,7 @@ struct deformation
 template<class E>
 void Foam::elasticMotion::assembleBlock
 (
+    feMatrix& matrix,
     const label blocki,
     const vectorField& positions,
     const vectorField& displacement
@@ -166,7 +167,7 @@ void Foam::elasticMotion::assembleBlock
                     }
                 }
             }
-            K_->add(scatter_[blocki], block, batch, &K[0][0][0][0], 0, 0, 1);
+            matrix.add(scatter_[blocki], block, batch, &K[0][0][0][0], 0, 0, 1);
         });
     }
 }
@@ -213,11 +214,11 @@ void Foam::elasticMotion::addResidualBlock
 }
 
 
-void Foam::elasticMotion::assemble(const vectorField& x, const vectorField& u)
+void Foam::elasticMotion::assemble(feMatrix& matrix, const vectorField& x, const vectorField& u)
 {
     forAll(fe_.blocks(), b)
     {
-        withElement(fe_.blocks()[b], [&](auto E) { assembleBlock<decltype(E)>(b, x, u); });
+        withElement(fe_.blocks()[b], [&](auto E) { assembleBlock<decltype(E)>(matrix, b, x, u); });
     }
 }
 

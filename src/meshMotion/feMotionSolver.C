@@ -71,12 +71,37 @@ Foam::word Foam::feMotionSolver::nearestMoving
 }
 
 
-void Foam::feMotionSolver::check(const vectorField& D, const vectorField& last) const
+void Foam::feMotionSolver::move(vectorField& D, const vectorField& last, const label nSteps)
+{
+    const vectorField way(D - last);
+    D = last;
+    fe_->toPoints<vector>(D, pointDisplacement().primitiveFieldRef());
+    for (label k = 1; k <= nSteps; ++k)
+    {
+        motion_->adapt(D);
+        motion_->renew();
+        D = last + (scalar(k)/nSteps)*way;
+        if (!motion_->extend(D))
+        {
+            FatalErrorInFunction
+                << "The linear problem of the mesh motion of region " << mesh().name()
+                << " could not be solved" << exit(FatalError);
+        }
+        motion_->settle(D);
+    }
+}
+
+
+bool Foam::feMotionSolver::inverts(const vectorField& D) const
+{
+    return forecast(fe_(), fe_->points() + D, vectorField()).steps <= 0;
+}
+
+
+void Foam::feMotionSolver::fail(const vectorField& D, const vectorField& last) const
 {
     const feMesh& fe = fe_();
     const inversionForecast now = forecast(fe, fe.points() + D, vectorField());
-    if (now.steps > 0) return;
-
     const auto least = [&](const vectorField& displacement)
     {
         scalar s = GREAT;
@@ -137,17 +162,25 @@ void Foam::feMotionSolver::solve()
     if (!motion_.valid()) makeMotion();
 
     const vectorField last(fe_->interpolate<vector>(pointDisplacement().primitiveField()));
-    motion_->adapt(last);
     pointDisplacement().correctBoundaryConditions();
-    vectorField D(fe_->interpolate<vector>(pointDisplacement().primitiveField()));
-    motion_->renew();
-    if (!motion_->extend(D))
+    const vectorField given(fe_->interpolate<vector>(pointDisplacement().primitiveField()));
+    vectorField D(given);
+    move(D, last, 1);
+    if (inverts(D))
     {
-        FatalErrorInFunction
-            << "The linear problem of the mesh motion of region " << mesh().name()
-            << " could not be solved" << exit(FatalError);
+        const vectorField first(D);
+        bool failed = true;
+        for (label n = 2; motion_->hasSteps() && failed && n <= 16; n *= 2)
+        {
+            D = given;
+            move(D, last, n);
+            failed = inverts(D);
+            if (failed) continue;
+            Info<< "The motion of region " << mesh().name() << " inverts elements in one step: made in "
+                << n << " parts" << endl;
+        }
+        if (failed) fail(first, last);
     }
-    check(D, last);
     fe_->toPoints<vector>(D, pointDisplacement().primitiveFieldRef());
 }
 

@@ -6,6 +6,7 @@
 
 #include "nodalMotion.H"
 #include "fixedValuePointPatchFields.H"
+#include "nodalSurface.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -46,6 +47,11 @@ void Foam::nodalMotion::makeBoundary(pointVectorField*& boundary)
         boundary = byDefault_.get();
     }
     boundary_.reset(new nodalBoundary(fe_, *boundary));
+    field_ = boundary;
+    for (const auto& pf : boundary->boundaryField())
+    {
+        curved_ = curved_ || dynamic_cast<const nodalSurface*>(&pf);
+    }
 }
 
 
@@ -79,131 +85,96 @@ void Foam::nodalMotion::number(const fieldLayout::kind kind)
     );
     map_.reset(new nodeMap(layout_->keys(), fieldUnknowns::counts(layout_())));
     unknowns_.reset(new fieldUnknowns(layout_(), map_()));
-    constraints_.reset(new dofConstraints(map_()));
 }
 
 
-void Foam::nodalMotion::constrain()
+void Foam::nodalMotion::addProblem(const labelList& axes)
 {
-    constraints_->reopen();
-    boundary_->constrain(unknowns_(), 0, constraints_());
+    problems_.append(new problem);
+    problems_.last().axes = axes;
+    problems_.last().constraints.reset(new dofConstraints(map_()));
+}
+
+
+void Foam::nodalMotion::makeMatrix(problem& p)
+{
+    p.factors.clear();
+    p.K.reset(new feMatrix(map_(), map_(), p.constraints.get(), scatter_, true));
+    p.factors.reset(new feFactors(map_(), p.K(), solverDict_));
+}
+
+
+bool Foam::nodalMotion::constrain(dofConstraints& constraints)
+{
+    constraints.reopen();
+    boundary_->constrain(unknowns_(), 0, constraints);
     for (const label patchi : heldPatches_) for (const label n : fe_.patchNodes(patchi))
     {
-        forCmpts(n, [&](const label, const label, const label u) { constraints_->fix(u); });
+        for (label a = 0; a < fe_.dim(); ++a) constraints.fix(unknowns_->start(0, n) + a);
     }
-    constraints_->close();
+    return constraints.close();
 }
 
 
-bool Foam::nodalMotion::uncoupled() const
+Foam::List<Foam::labelList> Foam::nodalMotion::uncoupled(const dofConstraints& all) const
 {
-    bool coupled = false;
-    for (label n = 0; n < fe_.nNodes(); ++n)
+    if (returnReduce(all.slaves().size(), sumOp<label>())) return List<labelList>();
+
+    DynamicList<labelList> groups;
+    for (label a = 0; a < fe_.dim(); ++a)
     {
-        const bool held = constraints_->isFixed(unknowns_->start(0, n));
-        forCmpts(n, [&](const label, const label, const label u)
+        const auto heldAs = [&](const labelList& group)
         {
-            coupled = coupled || constraints_->isTied(u) || constraints_->isFixed(u) != held;
-        });
+            bool same = true;
+            for (label n = 0; n < fe_.nNodes(); ++n)
+            {
+                const label u = unknowns_->start(0, n);
+                same = same && all.isGiven(u + a) == all.isGiven(u + group[0]);
+            }
+            return returnReduce(same, andOp<bool>());
+        };
+        label g = 0;
+        while (g < groups.size() && !heldAs(groups[g])) ++g;
+        if (g == groups.size()) groups.append(labelList());
+        groups[g].append(a);
     }
-    return !returnReduce(coupled, orOp<bool>());
+    return List<labelList>(std::move(groups));
 }
 
 
-void Foam::nodalMotion::factorise(const vectorField& u)
-{
-    const bool updated = updates_ || kappa_.empty();
-    if (updated) kappa_ = stiffness_->elements(fe_.points() + u);
-    K_->clear();
-    assemble(incremental_ ? fe_.points() + u : tmp<vectorField>(fe_.points()), u);
-    if (factors_->factorise() != feLinearSolver::outcome::OK)
-    {
-        FatalIOErrorInFunction(dict_)
-            << "The mesh motion of region " << fe_.mesh().name()
-            << " cannot be solved: no patch holds its displacement"
-            << exit(FatalIOError);
-    }
-    at_ = u;
-}
-
-
-void Foam::nodalMotion::makeOffset(const vectorField& u0)
-{
-    f_.setSize(x_.size());
-    forAll(f_, r) f_[r].setSize(map_->nUnknowns());
-    forAll(u0, n) forCmpts(n, [&](const label c, const label r, const label i) { x_[r][i] = u0[n][c]; });
-    forAll(f_, r)
-    {
-        // At tied unknowns what they have beyond their masters' part
-        const scalarField values(x_[r]);
-        constraints_->imposeHomogeneous(x_[r]);
-        for (const label i : constraints_->slaves()) x_[r][i] = values[i] - x_[r][i];
-        K_->multiply(x_[r], f_[r]);
-    }
-    if (nonlinear())
-    {
-        scalarField R(map_->nUnknowns(), 0);
-        addResidual(u0, R);
-        constraints_->condense(R);
-        f_[0] -= R;
-    }
-    for (scalarField& f : f_) map_->sum(f);
-}
-
-
-bool Foam::nodalMotion::solve(vectorField& u, const bool affine) const
-{
-    // K x = f with what is known of x on the right: values that are given, and
-    // what ties add to their masters'
-    for (scalarField& x : x_)
-    {
-        x = 0;
-        if (affine) for (const label i : constraints_->slaves()) x[i] = constraints_->b(i);
-    }
-    const auto give = [&]()
-    {
-        forAll(u, n) forCmpts(n, [&](const label c, const label r, const label i)
-        {
-            if (constraints_->isGiven(i)) x_[r][i] = u[n][c];
-        });
-    };
-    give();
-    forAll(x_, r)
-    {
-        K_->multiply(x_[r], b_[r]);
-        map_->sum(b_[r]);
-        forAll(b_[r], i) b_[r][i] = constraints_->isFree(i) ? -b_[r][i] : 0;
-        if (affine && f_.size()) forAll(b_[r], i) if (constraints_->isFree(i)) b_[r][i] += f_[r][i];
-    }
-    if (factors_->solve(b_, x_) != feLinearSolver::outcome::OK) return false;
-
-    give();
-    for (scalarField& x : x_) affine ? constraints_->impose(x) : constraints_->imposeHomogeneous(x);
-    forAll(u, n) forCmpts(n, [&](const label c, const label r, const label i) { u[n][c] = x_[r][i]; });
-    return true;
-}
-
-
-void Foam::nodalMotion::initialise(const bool scalarServes)
+void Foam::nodalMotion::initialise(const bool scalarsServe)
 {
     number(fieldLayout::kind::VECTOR);
-    constrain();
-    if (scalarServes && uncoupled())
+    addProblem(identity(fe_.dim()));
+    constrain(problems_[0].constraints());
+    const List<labelList> groups(scalarsServe && !curved_ ? uncoupled(problems_[0].constraints()) : List<labelList>());
+    if (groups.size())
     {
-        boolList held(fe_.nNodes());
-        forAll(held, n) held[n] = constraints_->isFixed(unknowns_->start(0, n));
+        // What is held of the vector, by component
+        List<boolList> held(fe_.dim(), boolList(fe_.nNodes()));
+        forAll(held, a) forAll(held[a], n) held[a][n] = problems_[0].constraints->isGiven(unknowns_->start(0, n) + a);
+        problems_.clear();
         number(fieldLayout::kind::SCALAR);
-        forAll(held, n) if (held[n]) constraints_->fix(unknowns_->start(0, n));
-        constraints_->close();
+        for (const labelList& group : groups)
+        {
+            addProblem(group);
+            dofConstraints& constraints = problems_.last().constraints();
+            const boolList& here = held[group[0]];
+            forAll(here, n) if (here[n]) constraints.fix(unknowns_->start(0, n));
+            constraints.close();
+        }
     }
-    x_.setSize(layout_->nComponents(0) > 1 || !scalarServes ? 1 : fe_.dim(), scalarField(map_->nUnknowns()));
-    b_ = x_;
     for (const elementBlock& block : fe_.blocks())
     {
         scatter_.append(new elementScatter(block, unknowns_()));
     }
-    K_.reset(new feMatrix(map_(), map_(), constraints_.get(), scatter_, true));
-    factors_.reset(new feFactors(map_(), K_(), solverDict_));
+    for (problem& p : problems_)
+    {
+        for (label& a : p.axes) a = fe_.axis(a);
+        p.x.setSize(groups.size() ? p.axes.size() : 1, scalarField(map_->nUnknowns()));
+        p.b = p.x;
+        makeMatrix(p);
+    }
     factorise(vectorField(fe_.nNodes(), Zero));
 }
 
@@ -231,34 +202,6 @@ Foam::nodalMotion::nodalMotion
     wordList entries({"configuration", "update"});
     entries.append(ownEntries);
     stiffness_ = meshStiffness::New(fe, walls(*boundary), dict, entries);
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-bool Foam::nodalMotion::given(const label node) const
-{
-    bool all = true;
-    forCmpts(node, [&](const label, const label, const label u)
-    {
-        all = all && constraints_->isGiven(u);
-    });
-    return all;
-}
-
-
-void Foam::nodalMotion::renew()
-{
-    // Without ties there is nothing to renew
-    if (layout_->nComponents(0) > 1) constrain();
-}
-
-
-void Foam::nodalMotion::adapt(const vectorField& u)
-{
-    if (!incremental_ && !updates_ && !nonlinear()) return;
-    if (returnReduce(u != at_, orOp<bool>())) factorise(u);
-    if (incremental_ || nonlinear()) makeOffset(u);
 }
 
 

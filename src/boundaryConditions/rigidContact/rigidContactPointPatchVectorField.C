@@ -50,16 +50,7 @@ void Foam::rigidContactLoad::check
 ) const
 {
     onlyOfDisplacement(typeName_(), field, dict);
-    const Vector<label>& used = field.mesh()().geometricD();
-    for (direction c = 0; c < 3; ++c)
-    {
-        vector normal = Zero;
-        normal[c] = 1;
-        if (used[c] > 0 || surface_->isAlong(normal)) continue;
-        FatalIOErrorInFunction(dict_)
-            << "The " << surface_->type() << " is not the same all along " << normal
-            << ", the normal of a 2-D case, as a plane or a cylinder along it is" << exit(FatalIOError);
-    }
+    surface_->check(field.mesh()().geometricD(), dict_);
 }
 
 

@@ -31,6 +31,22 @@ Foam::autoPtr<Foam::rigidSurface> Foam::rigidSurface::New(const dictionary& dict
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::rigidSurface::check(const Vector<label>& geometricD, const dictionary& dict) const
+{
+    for (direction c = 0; c < 3; ++c)
+    {
+        vector normal = Zero;
+        normal[c] = 1;
+        if (geometricD[c] > 0 || isAlong(normal)) continue;
+        FatalIOErrorInFunction(dict)
+            << "The " << type() << " is not the same all along " << normal
+            << ", the normal of a 2-D case, as a plane or a cylinder along it is" << exit(FatalIOError);
+    }
+}
+
+
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 Foam::vector Foam::rigidSurface::readDirection(const word& name, const dictionary& dict)

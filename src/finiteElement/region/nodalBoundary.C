@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "nodalBoundary.H"
+#include "nodalSurface.H"
 #include "feValues.H"
 #include "calculatedPointPatchField.H"
 #include "zeroGradientPointPatchField.H"
@@ -50,6 +51,48 @@ static vector givenNormal(const pointPatchVectorField& pf)
             << exit(FatalError);
     }
     return n/mag(n);
+}
+
+
+//- The direction of a plane that is a surface's
+static const label ON_SURFACE = -2;
+
+
+//- Displacement of a node that the field has
+static vector displacement(const pointVectorField& field, const feMesh& fe, const label node)
+{
+    if (node < fe.nVertices()) return field[fe.vertexPoint()[node]];
+    vector u = Zero;
+    const labelList& ends = fe.parents()[node];
+    for (const label m : ends) u += field[fe.vertexPoint()[m]]/scalar(ends.size());
+    return u;
+}
+
+
+//- An error if the nodes of a patch are not on the surface on which they are
+//  to slide: further away than a hundredth of the patch's extent
+static void checkPlaces
+(
+    const pointPatchVectorField& pf,
+    const nodalSurface& surface,
+    const vectorField& nodes
+)
+{
+    const scalar extent = boundBox(nodes).mag();
+    scalar worst = 0;
+    point place = Zero;
+    for (const point& x : nodes)
+    {
+        const scalar gap = mag(surface.placeOf(x).gap);
+        if (gap <= worst) continue;
+        worst = gap;
+        place = x;
+    }
+    if (returnReduce(worst, maxOp<scalar>()) <= 0.01*extent) return;
+    FatalErrorInFunction
+        << "Patch " << pf.patch().name() << " of type " << pf.type() << " has a point at " << place
+        << " that is " << worst << " m from the surface, of a patch that extends over " << extent
+        << " m: give the surface of the mesh" << exit(FatalError);
 }
 
 } // End namespace Foam
@@ -114,6 +157,14 @@ void Foam::nodalBoundary::addPlanes(const label patchi)
             planes_(i).append({given->directions()[d], patchi, d});
         }
     }
+    else if (const auto* surface = dynamic_cast<const nodalSurface*>(&pf))
+    {
+        checkPlaces(pf, *surface, vectorField(fe_.points(), nodes));
+        for (const label i : nodes)
+        {
+            planes_(i).append({surface->placeOf(fe_.points()[i]).normal, patchi, ON_SURFACE});
+        }
+    }
     else if (isA<fixedNormalSlipPointPatchField<vector>>(pf))
     {
         const vector n(givenNormal(pf));
@@ -176,16 +227,25 @@ Foam::nodalBoundary::frame Foam::nodalBoundary::frameAt
     {
         vector n = p.n;
         scalar value = 0;
+        const auto& pf = field_.boundaryField()[p.patch];
         if (p.direction >= 0)
         {
-            const auto& pf = field_.boundaryField()[p.patch];
             value = dynamic_cast<const nodalComponents&>(pf)
                 .component(p.direction, position(node), t);
         }
+        else if (p.direction == ON_SURFACE)
+        {
+            const auto& surface = dynamic_cast<const nodalSurface&>(pf);
+            const vector u(displacement(field_, fe_, node));
+            const nodalSurface::place now = surface.placeOf(fe_.points()[node] + u);
+            n = now.normal;
+            value = (n & u) - now.gap + surface.placeOf(fe_.points()[node]).gap;
+        }
         if (fe_.dim() == 2) n[fe_.axis(2)] = 0;
+        const vector given(n);
         forAll(f.n, k)
         {
-            const scalar along = p.n & f.n[k];
+            const scalar along = given & f.n[k];
             n -= along*f.n[k];
             value -= along*f.value[k];
         }
@@ -284,7 +344,7 @@ bool Foam::nodalBoundary::constrains(const pointPatchVectorField& pf)
 {
     return
         isA<valuePointPatchField<vector>>(pf) || isSliding(pf)
-     || dynamic_cast<const nodalComponents*>(&pf);
+     || dynamic_cast<const nodalComponents*>(&pf) || dynamic_cast<const nodalSurface*>(&pf);
 }
 
 
@@ -308,6 +368,7 @@ void Foam::nodalBoundary::check
          && (
                 isOneOf<slipPointPatchField<Type>, fixedNormalSlipPointPatchField<Type>>(pf)
              || dynamic_cast<const nodalComponents*>(&pf)
+             || dynamic_cast<const nodalSurface*>(&pf)
             );
         if (constraint || vectorOnly || isNatural(pf) || isA<valuePointPatchField<Type>>(pf)) continue;
 
@@ -316,7 +377,7 @@ void Foam::nodalBoundary::check
             << " is of type " << pf.type() << ", which is not understood here: it"
             << " would be a free boundary in silence." << nl
             << "Understood are types with values (fixedValue, uniformFixedValue,"
-            << " nodalProfile, flowRateInlet, ...), slip, fixedNormalSlip, fixedComponents,"
+            << " nodalProfile, flowRateInlet, ...), slip, surfaceSlip, fixedNormalSlip, fixedComponents,"
             << " symmetry, symmetryPlane, wedge, cyclic, empty; for free boundaries"
             << " calculated, zeroGradient, and the loads openBoundary, traction,"
             << " followerPressure, springs; in a solid rigidContact, rigidPatch" << exit(FatalError);

@@ -17,6 +17,8 @@ Description
 #include "meshMotion.H"
 #include "meshStiffness.H"
 #include "elementQuality.H"
+#include "nodalBoundary.H"
+#include "nodalSurface.H"
 #include "IStringStream.H"
 #include "mathematicalConstants.H"
 
@@ -333,6 +335,182 @@ TEST(laplaceMotion, nodesSlideOnSymmetryPatches)
         }
         EXPECT_GT(slip, 1e-3);
     }
+}
+
+
+//- Planes along the axes leave the components uncoupled: matrices of scalars,
+//  with the displacements of the same mesh turned, which is a problem of a vector
+TEST(laplaceMotion, planesAlongTheAxesCoupleNothing)
+{
+    const scalar angle = 0.4;
+    const tensor turn(::cos(angle), -::sin(angle), 0, ::sin(angle), ::cos(angle), 0, 0, 0, 1);
+    const auto turned = [&](const point& p) { return turn & p; };
+    const auto straight = [](const point& p) { return p; };
+    for (const bool plane : {true, false}) for (const label order : {1, 2})
+    {
+        HashTable<word> types;
+        types.set("left", "symmetryPlane");
+        types.set("bottom", "symmetryPlane");
+        if (!plane) types.set("back", "symmetryPlane");
+        const string dict("stiffness inverseVolume;");
+        const motionCase a("hex", order, plane, dict, straight, types), b("hex", order, plane, dict, turned, types);
+        const auto pull = [](const point& x) { return vector(0.1*x.y(), 0.2*sqr(x.x()), 0.1*x.x()*x.y()); };
+
+        const vectorField u(a.extend(pull));
+        const vectorField v(b.extend([&](const point& x) { return turn & pull(turn.T() & x); }));
+        forAll(u, n) EXPECT_LT(mag((turn & u[n]) - v[n]), 1e-13);
+
+        const auto nonzeros = [](const motionCase& c)
+        {
+            scalar sum = 0;
+            for (const feLinearSolver* solver : c.motion->solvers()) sum += solver->stats().nNonzeros;
+            return sum;
+        };
+        const label dim = a.fe.dim();
+        EXPECT_EQ(a.motion->solvers().size(), dim);
+        EXPECT_EQ(b.motion->solvers().size(), 1);
+        EXPECT_LT(nonzeros(a), 1.1*nonzeros(b)/(dim - 1));
+    }
+}
+
+
+namespace
+{
+
+//- A sector of a shell 0.5 <= r <= 1 about the z axis or about the origin, of
+//  which the outer side slides along its surface
+struct shellCase
+{
+    shapeMesh box;
+    feMesh fe;
+    pointVectorField field;
+    autoPtr<meshMotion> motion;
+
+    static point place(const point& p, const bool sphere)
+    {
+        const scalar r = 0.5 + 0.5*p.x(), a = 0.3 + 1.2*p.y(), b = 2 - 1.2*p.z();
+        return sphere
+          ? r*point(::cos(a)*::sin(b), ::sin(a)*::sin(b), ::cos(b))
+          : point(r*::cos(a), r*::sin(a), p.z());
+    }
+
+    static string conditions(const bool sphere)
+    {
+        const string free("{ type calculated; }"), ends(sphere ? free : "{ type slip; }"),
+            surface(sphere ? "sphere; centre (0 0 0);" : "cylinder; point (0 0 0); axis (0 0 1);");
+        return
+            "dimensions [0 1 0 0 0 0 0]; internalField uniform (0 0 0); boundaryField { left { type fixedValue; value uniform (0 0 0); }"
+            " right { type surfaceSlip; surface { type " + surface + " radius 1; } value uniform (0 0 0); }"
+            " bottom " + free + " top " + free + " back " + ends + " front " + ends + " }";
+    }
+
+    shellCase(const char* cell, const bool sphere, const string& dict)
+    :
+        box(cell, {3, 4, 3}, [=](const point& p) { return place(p, sphere); }),
+        fe(box.mesh(), 1, dictionary()),
+        field
+        (
+            IOobject("pointDisplacement", "0", box.mesh()), pointMesh::New(box.mesh()),
+            entries(conditions(sphere))
+        ),
+        motion(meshMotion::New(fe, &field, labelList(), motionCase::coeffs(dict), entries("type MUMPS;")))
+    {}
+
+    //- Turn the inner side about an axis; largest distance of the outer one from
+    //  its surface
+    scalar step(const vector& axis, const scalar angle, const bool settled, vectorField& u)
+    {
+        motion->adapt(u);
+        motion->renew();
+        const tensor K(0, -axis.z(), axis.y(), axis.z(), 0, -axis.x(), -axis.y(), axis.x(), 0);
+        const tensor turn(::sin(angle)*K + (1 - ::cos(angle))*(K & K));
+        forAll(u, n) if (motion->given(n)) u[n] = turn & fe.points()[n];
+        EXPECT_TRUE(motion->extend(u));
+        settled ? motion->settle(u) : fe.toPoints<vector>(u, field.primitiveFieldRef());
+
+        const label outer = box.mesh->boundaryMesh().findPatchID("right");
+        const auto& surface = dynamic_cast<const nodalSurface&>(field.boundaryField()[outer]);
+        scalar off = 0;
+        for (const label n : fe.patchNodes(outer)) off = max(off, mag(surface.placeOf(fe.points()[n] + u[n]).gap));
+        return off;
+    }
+};
+
+} // End anonymous namespace
+
+
+//- Nodes slide along a cylinder and a sphere, and along the edge of a cylinder
+//  and a plane, far enough to be tied in other components
+TEST(nodalMotion, nodesSlideAlongSurfaces)
+{
+    for (const bool sphere : {false, true}) for (const char* cell : {"hex", "tet"})
+    {
+        for (const char* dict : {"stiffness uniform;", "motionSolver feElasticity; stiffness uniform;"})
+        {
+            shellCase c(cell, sphere, dict);
+            const vector axis(sphere ? vector(1, -1, 1)/::sqrt(3.0) : vector(0, 0, 1));
+            vectorField u(c.fe.nNodes(), Zero);
+            for (label k = 1; k <= 8; ++k) EXPECT_LT(c.step(axis, 0.15*k, true, u), 1e-12);
+            scalar way = 0;
+            for (const label n : c.fe.patchNodes(c.box.mesh->boundaryMesh().findPatchID("right")))
+            {
+                way = max(way, mag(u[n]));
+                if (!sphere && mag(c.fe.points()[n].z() - 0.5) > 0.49) EXPECT_NEAR(u[n].z(), 0, 1e-13);
+            }
+            EXPECT_GT(way, 0.4);
+        }
+    }
+}
+
+
+//- Within a step the motion is linear: off the surface by the square of a
+//  step's way, which does not add up
+TEST(nodalMotion, aStepAlongASurfaceIsAlongItsPlane)
+{
+    shellCase c("hex", true, "stiffness uniform;");
+    vectorField u(c.fe.nNodes(), Zero);
+    scalar off = 0;
+    for (label k = 1; k <= 40; ++k) off = max(off, c.step(vector(0, 0, 1), 0.02*k, false, u));
+    EXPECT_LT(off, 0.5*sqr(0.02)*1.05);
+    EXPECT_GT(off, 1e-6);
+
+    // At rest all come to it
+    for (label k = 0; k < 10; ++k) off = c.step(vector(0, 0, 1), 0.8, false, u);
+    EXPECT_LT(off, 1e-9);
+}
+
+
+//- Errors of the condition
+TEST(surfaceSlip, complains)
+{
+    shapeMesh box("hex", {2, 2, 1}, [](const point& p) { return p; }, shapeMesh::twoD());
+    const auto field = [&](const string& surface, const string& dims)
+    {
+        pointVectorField u
+        (
+            IOobject("pointDisplacement", "0", box.mesh()), pointMesh::New(box.mesh()),
+            entries
+            (
+                "dimensions " + dims + "; internalField uniform (0 0 0); boundaryField { \"(back|front)\" { type empty; } \"(bottom|top|left)\""
+                " { type calculated; } right { type surfaceSlip; " + surface + " value uniform (0 0 0); } }"
+            )
+        );
+        const feMesh fe(box.mesh(), 1, dictionary());
+        const nodalBoundary boundary(fe, u);
+    };
+    const auto says = [&](const string& surface, const string& dims, const char* what)
+    {
+        const std::string message(complaint([&]() { field(surface, dims); }));
+        EXPECT_NE(message.find(what), std::string::npos) << message;
+    };
+    const string length("[0 1 0 0 0 0 0]"), cylinder("surface { type cylinder; point (0 0.5 0); axis (0 0 1); radius 1.1; }");
+    says("surface { type sphere; centre (0 0.5 0); radius 1.1; }", length, "the normal of a 2-D case");
+    says("surface { type torus; }", length, "torus");
+    says(cylinder, "[0 1 -1 0 0 0 0]", "expected a displacement");
+
+    const bool throwing = FatalError.throwExceptions();
+    EXPECT_THROW(field(cylinder, length), Foam::error);
+    FatalError.throwExceptions(throwing);
 }
 
 
