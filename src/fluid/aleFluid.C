@@ -115,7 +115,14 @@ void Foam::aleFluid::findMacros()
             << "Found pressureModes " << modes << " with elements " << familyNames[k_.family]
             << ". Valid: " << choices << ", the second with Q1Q0" << exit(FatalIOError);
     }
-    const bool first = !assembly_.valid(), closed = cellPressure() && schemes_.found("pRefPoint");
+    const bool first = !assembly_.valid();
+    if (first && cellPressure() && !incompressible() && motion_.moving())
+    {
+        Info<< "Region " << name() << ": with Q1Q0 the mesh does not carry the pressure of a barotropic fluid,"
+            << " vm.grad(p)/B: small beside div(v) where the fluid is stiff; else choose equalOrder or taylorHood"
+            << nl;
+    }
+    const bool closed = cellPressure() && schemes_.found("pRefPoint");
     if (modes == choices[0] && !(first && closed)) return;
     macros_.reset(new pressureMacros(fe()));
     if (first)
