@@ -5,6 +5,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "remeshSelection.H"
+#include "pinchedPoints.H"
 #include "unknownEntries.H"
 #include "PstreamReduceOps.H"
 
@@ -23,6 +24,25 @@ static bool allOf(const dictionary& dict)
             << "Unknown extent " << extent << ". Valid: " << valid << exit(FatalIOError);
     }
     return extent == valid[0];
+}
+
+
+static labelList trues(const boolList& in)
+{
+    DynamicList<label> list;
+    forAll(in, i) if (in[i]) list.append(i);
+    return labelList(list);
+}
+
+
+//- Call f(cell, vertices) for all elements
+template<class F>
+static void forElements(const feMesh& fe, const F& f)
+{
+    for (const elementBlock& block : fe.blocks()) for (label e = 0; e < block.size(); ++e)
+    {
+        f(block.cells[e], SubList<label>(block.nodes, block.nVertices(), e*block.nNodes));
+    }
 }
 
 } // End namespace Foam
@@ -54,6 +74,32 @@ Foam::boolList Foam::remeshSelection::eligible(const polyMesh& mesh) const
     const boolList mayNot(cellsOf(mesh, excluded_));
     forAll(may, c) may[c] = may[c] && !mayNot[c];
     return may;
+}
+
+
+void Foam::remeshSelection::addLayer(const feMesh& fe, const boolList& may, boolList& in) const
+{
+    boolList at(fe.nNodes(), false);
+    forElements(fe, [&](const label c, const labelUList& nodes) { if (in[c]) for (const label n : nodes) at[n] = true; });
+    forElements(fe, [&](const label c, const labelUList& nodes) { if (may[c]) for (const label n : nodes) if (at[n]) in[c] = true; });
+}
+
+
+void Foam::remeshSelection::unpinch(const feMesh& fe, const boolList& may, boolList& in) const
+{
+    for (label nBefore = -1, n = 0; n != nBefore;)
+    {
+        nBefore = n;
+        labelList nodes;
+        boolList at(fe.nNodes(), false);
+        for (const label p : pinchedPoints(simplicesOf(fe, fe.points(), trues(in), nodes))) at[nodes[p]] = true;
+        forElements(fe, [&](const label c, const labelUList& nodes)
+        {
+            if (in[c] || !may[c]) return;
+            for (const label node : nodes) in[c] = in[c] || at[node];
+            n += in[c];
+        });
+    }
 }
 
 
@@ -125,23 +171,10 @@ Foam::labelList Foam::remeshSelection::cells(const feMesh& fe, const labelHashSe
     else
     {
         for (const label c : bad) in[c] = may[c];
-        for (label layer = 0; layer < nLayers_; ++layer)
-        {
-            boolList at(fe.nNodes(), false);
-            const auto forElements = [&](const auto& f)
-            {
-                for (const elementBlock& block : fe.blocks()) for (label e = 0; e < block.size(); ++e)
-                {
-                    f(block.cells[e], SubList<label>(block.nodes, block.nVertices(), e*block.nNodes));
-                }
-            };
-            forElements([&](const label c, const labelUList& nodes) { if (in[c]) for (const label n : nodes) at[n] = true; });
-            forElements([&](const label c, const labelUList& nodes) { if (may[c]) for (const label n : nodes) if (at[n]) in[c] = true; });
-        }
+        for (label layer = 0; layer < nLayers_; ++layer) addLayer(fe, may, in);
     }
-    DynamicList<label> cells;
-    forAll(in, c) if (in[c]) cells.append(c);
-    return labelList(cells);
+    if (fe.dim() == 3) unpinch(fe, may, in);
+    return trues(in);
 }
 
 

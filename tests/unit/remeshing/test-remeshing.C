@@ -14,6 +14,7 @@ Description
 #include "shapeMesh.H"
 #include "runOnRanks.H"
 #include "complaint.H"
+#include "pinchedPoints.H"
 #include "remesher.H"
 #include "remeshMemory.H"
 #include "simplexField.H"
@@ -526,6 +527,33 @@ TEST(remeshing, saysWhyItCannot)
     forAll(centres, c) if ((centres[c].x() < 0.5) == (centres[c].y() < 0.5)) cells.append(c);
     const exchangedMesh now(old, cells, [](const point&) { return 0.5; });
     EXPECT_NE(now.failure.find("meets itself"), std::string::npos) << now.failure;
+}
+
+
+//- A selection of such cells has those around the edge, too
+TEST(remeshing, selectsWhatCanBeExchanged)
+{
+    const turnedMesh old(3, 3, 1, 0);
+    const pointField& centres = old.box.mesh->cellCentres();
+    labelHashSet bad;
+    forAll(centres, c)
+    {
+        if (cmptMax(centres[c]) < 1.0/3) bad.insert(c);
+        if (max(centres[c].x(), centres[c].y()) < 2.0/3 && cmptMin(centres[c]) > 1.0/3) bad.insert(c);
+    }
+    labelList nodes;
+    const labelList asked(bad.sortedToc());
+    const auto pinched = [&](const labelList& cells)
+    {
+        return pinchedPoints(simplicesOf(old.fe, old.fe.points(), cells, nodes)).size();
+    };
+    EXPECT_EQ(pinched(asked), 1);
+    const labelList cells(remeshSelection(dictionary(IStringStream("extent bad; layers 0;")())).cells(old.fe, bad));
+    EXPECT_GT(cells.size(), asked.size());
+    EXPECT_LT(cells.size(), centres.size());
+    EXPECT_EQ(pinched(cells), 0);
+    const exchangedMesh now(old, cells, [](const point&) { return 0.3; });
+    EXPECT_EQ(now.failure, "");
 }
 
 
