@@ -94,7 +94,10 @@ static word differing
 Foam::coupledSystem::schemes Foam::coupledSystem::coastingSchemes() const
 {
     schemes list;
-    for (label r = 0; r < regions_.size(); ++r) list.append(new autoPtr<feTimeScheme>(new coastingScheme));
+    for (label r = 0; r < regions_.size(); ++r)
+    {
+        list.append(new autoPtr<feTimeScheme>(new coastingScheme(runTime_.deltaTValue())));
+    }
     return list;
 }
 

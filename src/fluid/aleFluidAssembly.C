@@ -8,6 +8,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "aleFluid.H"
+#include "coastingScheme.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -29,7 +30,7 @@ void Foam::aleFluid::stage()
 
     k_.dadv = k_.dqdp = ts.rateByValue();
     k_.dvmdm = ts.steady() ? 0 : ts.velocityByUnknown()/ts.displacementByUnknown();
-    k_.deltaT = ts.steady() ? GREAT : ts.deltaT();
+    k_.deltaT = ts.steady() ? GREAT : coastingScheme::step(ts);
     stage_.s = k_.tracked ? &subscales_.old : nullptr;
     stage_.widest2 = filter_.valid() ? &filter_->widest2() : nullptr;
 }
