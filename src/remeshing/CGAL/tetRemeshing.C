@@ -122,14 +122,17 @@ Foam::string Foam::remeshers::remeshTets
         return calibration*size(point(p.x(), p.y(), p.z()));
     };
 
-    // Sizes are not what they shall be before the last of the iterations, of which
-    // there are more where slivers are left; the best of these
+    // More iterations where slivers are left, the best of which counts. A call smooths
+    // thrice at its end, so that one with several iterations takes half the time
     const scalar enough = 10;
     scalar best = -1;
-    for (label i = 1; i <= nIterations || (i <= 3*nIterations && best < enough); ++i)
+    for (label i = nIterations; i <= 3*nIterations && best < enough; ++i)
     {
-        ::CGAL::tetrahedral_isotropic_remeshing(tets, length, ::CGAL::parameters::remesh_boundaries(false));
-        if (i < nIterations) continue;
+        ::CGAL::tetrahedral_isotropic_remeshing
+        (
+            tets, length,
+            ::CGAL::parameters::remesh_boundaries(false).number_of_iterations(i == nIterations ? nIterations : 1)
+        );
         const scalar angle = minAngle(tets);
         if (angle <= best) continue;
         best = angle;

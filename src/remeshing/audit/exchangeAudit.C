@@ -208,7 +208,7 @@ Foam::exchangeTable::exchangeTable(const feRegion& region, const dictionary& bou
 Foam::string Foam::exchangeTable::worse(const simplexMesh& old, const simplexMesh& now) const
 {
     const scalar before = leastScaledJacobian(old), after = leastScaledJacobian(now);
-    if (after > 0 && after >= min(before, bounds_.last())) return "";
+    if (after > 0 && after >= min(0.9*before, bounds_.last())) return "";
     OStringStream os;
     os  << "the worst of the new cells has the scaled Jacobian " << after << ", that of those there are "
         << before << ", and its bound is " << bounds_.last();
