@@ -250,9 +250,10 @@ void randomExchanges(const label nExchanges, const label nLeast, const label nMo
         }
         const point centre(any(seed), any(seed), any(seed));
         const scalar radius = i % 2 ? GREAT : 0.3 + 0.5*any(seed);
-        DynamicList<label> cells;
+        labelHashSet bad;
         const pointField& centres = old->box.mesh->cellCentres();
-        forAll(centres, c) if (mag(centres[c] - centre) < radius) cells.append(c);
+        forAll(centres, c) if (mag(centres[c] - centre) < radius) bad.insert(c);
+        const labelList cells(remeshSelection(dictionary(IStringStream("extent bad; layers 0;")())).cells(old->fe, bad));
 
         const scalar regular = ::cbrt(::sqrt(2.0));
         const auto begin = std::chrono::steady_clock::now();
