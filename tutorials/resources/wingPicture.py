@@ -64,12 +64,17 @@ def newView(nColumns, nRows):
     view.Background = [1, 1, 1]
     view.UseColorPaletteForBackground = 0
     view.OrientationAxesVisibility = 0
+    return view
+
+
+def save(view, nColumns, nRows, name):
+    Render(view)
     view.CameraParallelProjection = 1
     x = number('channelLow') + 1.04*nColumns*length/2 - 0.02*length
     y = number('channelHigh', 1) - (1.06*nRows*height + 0.25)/2 + 0.03
     view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = [x, y, 0], [x, y, 10], [0, 1, 0]
     view.CameraParallelScale = (1.06*nRows*height + 0.25)/2
-    return view
+    SaveScreenshot(name, view)
 
 
 def velocity(times, nColumns, name):
@@ -79,13 +84,12 @@ def velocity(times, nColumns, name):
         ColorBy(display, ('POINTS', 'U', 'Magnitude'))
         display.SetScalarBarVisibility(view, i == 0)
     table = GetColorTransferFunction('U')
-    table.RescaleTransferFunction(0, 3)
+    table.RescaleTransferFunction(0, 2)
     bar = GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = '|U| [m/s]', ''
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
     bar.Orientation, bar.WindowLocation = 'Horizontal', 'Lower Center'
-    Render(view)
-    SaveScreenshot(name, view)
+    save(view, nColumns, -(-len(times)//nColumns), name)
 
 
 def meshes(times):
@@ -95,8 +99,7 @@ def meshes(times):
         display.SetRepresentationType('Surface With Edges')
         ColorBy(display, None)
         display.DiffuseColor = [0.85, 0.9, 1]
-    Render(view)
-    SaveScreenshot('mesh.png', view)
+    save(view, len(times), 1, 'mesh.png')
 
 
 def exchanges():
