@@ -42,6 +42,7 @@ Foam::meshBackup::meshBackup(feRegion& region)
     flipMaps_(faceZones_.size()),
     points0_(region.fe().movedPoints(vectorField(region.fe().nNodes(), Zero))),
     state_(region.state().copy()),
+    nCells_(region.mesh().nCells()),
     nVertices_(region.fe().nVertices()),
     nNodes_(region.fe().nNodes())
 {
@@ -65,7 +66,7 @@ void Foam::meshBackup::restoreMesh(fvMesh& mesh, const meshExchange& exchanged)
 {
     mesh_.pointMap = reverse(mesh_.points.size(), exchanged.pointMap);
     mesh_.faceMap = reverse(mesh_.faces.size(), exchanged.faceMap);
-    mesh_.cellMap = reverse(max(mesh_.owner) + 1, exchanged.cellMap);
+    mesh_.cellMap = reverse(nCells_, exchanged.cellMap);
     mesh_.apply(mesh);
     forAll(pointZones_, i) mesh.pointZones()[i] = pointZones_[i];
     forAll(cellZones_, i) mesh.cellZones()[i] = cellZones_[i];
