@@ -243,10 +243,14 @@ void randomExchanges(const label nExchanges, const label nLeast, const label nMo
         const label n = nLeast + label(any(seed)*(nMost - nLeast + 1));
         const std::mt19937 start(seed);
         autoPtr<turnedMesh> old;
-        for (scalar most = 4; !old.valid() || leastScaledJacobian(simplices(old())) < 0.01; most *= 0.7)
+        for (scalar most = 4; !old.valid(); most *= 0.7)
         {
             seed = start;
-            old.reset(new turnedMesh(3, n, 1, twisted(seed, most)));
+            const shapeMesh::pointMap map(twisted(seed, most));
+            const shapeMesh box("tet", {n, n, n}, map);
+            if (min(box.mesh->cellVolumes()) <= 0) continue;
+            old.reset(new turnedMesh(3, n, 1, map));
+            if (leastScaledJacobian(simplices(old())) < 0.01) old.clear();
         }
         const point centre(any(seed), any(seed), any(seed));
         const scalar radius = i % 2 ? GREAT : 0.3 + 0.5*any(seed);
