@@ -29,8 +29,8 @@ Usage
 #include "flowMesh.H"
 #include "countedFlops.H"
 #include "flowConstants.H"
+#include "../shortestTime.H"
 #include "fileOperation.H"
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <omp.h>
@@ -57,26 +57,8 @@ bool wanted(const std::string& name)
     return words.empty();
 }
 
-//- Shortest time of f in some seconds of trials, s
 template<class F>
-double best(const F& f)
-{
-    typedef std::chrono::steady_clock clock;
-    const auto since = [](const clock::time_point t)
-    {
-        return std::chrono::duration<double>(clock::now() - t).count();
-    };
-    f();
-    double shortest = GREAT;
-    const auto start = clock::now();
-    for (int trial = 0; trial < 3 || since(start) < seconds; ++trial)
-    {
-        const auto t = clock::now();
-        f();
-        shortest = std::min(shortest, since(t));
-    }
-    return shortest;
-}
+double best(const F& f) { return shortestTime(seconds, f); }
 
 
 //- One core, as OpenBLAS is told by its environment
