@@ -9,6 +9,7 @@
 #include "fourDigits.H"
 #include "readNumber.H"
 #include "IOdictionary.H"
+#include "pointFields.H"
 
 namespace Foam
 {
@@ -117,6 +118,37 @@ static scalar checkElements(const feRegion& region)
 }
 
 
+//- A warning of points of patches that slide where faces are at more than 60
+//  degrees: at an edge or a corner the mean of their normals is that of neither
+static void checkSlidingEdges(const pointVectorField& field)
+{
+    const fvMesh& mesh = refCast<const fvMesh>(field.mesh().thisDb());
+    forAll(field.boundaryField(), patchi)
+    {
+        const word type(field.boundaryField()[patchi].type());
+        if (type != "slip" && type != "symmetry") continue;
+        const polyPatch& pp = mesh.boundaryMesh()[patchi];
+        label n = 0;
+        point at = point::min;
+        forAll(pp.pointFaces(), p)
+        {
+            bool edge = false;
+            for (const label f : pp.pointFaces()[p]) for (const label g : pp.pointFaces()[p])
+            {
+                edge = edge || (pp.faceNormals()[f] & pp.faceNormals()[g]) < 0.5;
+            }
+            if (edge && ++n == 1) at = pp.localPoints()[p];
+        }
+        reduce(at, maxOp<point>());
+        if (!returnReduce(n, sumOp<label>())) continue;
+        WarningInFunction
+            << "Region " << mesh.name() << ", field " << field.name() << ": patch " << pp.name() << " of type "
+            << type << " has an edge or a corner inside, as at " << at << ". What slides there takes the mean"
+            << " of the faces' normals and leaves them. Give each side of it a patch of its own" << endl;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 void checkCase(const coupledSystem& problem, const scalar deltaT)
@@ -127,6 +159,8 @@ void checkCase(const coupledSystem& problem, const scalar deltaT)
         const feRegion& region = problem.regions()[r];
         materials[r] = materialsOf(region);
         const scalar size = checkElements(region);
+        const auto fields(region.mesh().lookupClass<pointVectorField>());
+        for (const word& name : fields.sortedToc()) checkSlidingEdges(*fields[name]);
         if (materials[r].speed > 0 && size > 0 && !region.timeScheme().steady())
         {
             Info<< "; its waves pass " << fourDigits(deltaT*materials[r].speed/size)
