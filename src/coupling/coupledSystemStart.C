@@ -200,8 +200,7 @@ void Foam::coupledSystem::startConsistently()
         return;
     }
     putRates(check);
-    followAtStart();
-    for (feRegion& region : regions_) region.state().shift();
+    settle();
 }
 
 

@@ -287,6 +287,12 @@ void Foam::nonlinearSolid::update(const scalarField& dx)
 }
 
 
+void Foam::nonlinearSolid::advance()
+{
+    assembly_->finish(stage_(), timeScheme(), stageVelocity_, motion_.D, history_);
+}
+
+
 Foam::scalar Foam::nonlinearSolid::residualScale(const label field) const
 {
     if (field == DISPLACEMENT) return 0;

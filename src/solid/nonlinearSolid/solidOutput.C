@@ -108,19 +108,16 @@ Foam::nonlinearSolid::pointValues(Type (solidPoint::*of)() const) const
 }
 
 
-void Foam::nonlinearSolid::advance()
-{
-    assembly_->finish(stage_(), timeScheme(), stageVelocity_, motion_.D, history_);
-    withPoints([&](const solidPoints& points) { watch_->check(points, motion_.D); });
-}
-
-
 void Foam::nonlinearSolid::derive()
 {
     fe().toPoints<vector>(motion_.D, pointD_->primitiveFieldRef());
     toCells<vector>(motion_.D, D_);
 
-    sigma_.primitiveFieldRef() = cellValues<symmTensor>(&solidPoint::sigma);
+    withPoints([&](const solidPoints& points)
+    {
+        sigma_.primitiveFieldRef() = points.cells<symmTensor>(&solidPoint::sigma);
+        watch_->check(points, motion_.D);
+    });
     sigma_.correctBoundaryConditions();
     if (elements_.mixed)
     {
